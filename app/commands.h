@@ -8,7 +8,7 @@ namespace glassbox::app {
 
 void add_commands(CLI::App& app, int& exit_code);
 
-// add_commands calls these. Each one is in the folder of its name.
+// The functions that add_commands calls. add_render_command is in the folder app/render, and so on.
 void add_render_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 void add_explain_command(CLI::App& app, int& exit_code);

@@ -1,7 +1,8 @@
-// Numbers with an error bound: a third definition of the operations that the stages' formulas use,
-// beside the single numbers (base/numbers.h) and the lanes. `value` is the number that the run
-// computes, bit by bit; `bound` is an upper bound of its distance from the result of exact
-// arithmetic on the same input (running error analysis: Wilkinson 1986; Higham, section 3.3).
+// Numbers with an error bound: the third set of types for which the formulas of the stages are
+// compiled, besides single numbers (base/numbers.h) and the vectors of numbers in raster/lanes.
+// `value` is the number that the program computes, bit by bit; `bound` is an upper bound of its
+// distance from the result of exact arithmetic on the same input (running error analysis: Wilkinson
+// 1986; Higham, section 3.3).
 //
 // Where x and y approximate exact values X and Y, |x - X| <= dx and |y - Y| <= dy, and r is the
 // rounding error of the operation:
@@ -10,12 +11,13 @@
 //   x / y    (dx + |x/y| dy)/(|y| - dy) + r    sqrt x  dx/(sqrt x + sqrt(x - dx)) + r, or sqrt dx
 //                                                      where dx > x
 //
-// r is not u times the result but what this operation really rounds. For floats it is computed,
-// because sums and products of floats fit doubles; for doubles it is 2^-53 of the result. Where
-// nothing is rounded, r is 0: 1 times x has the bound of x. A comparison also says whether it is
-// sure. select() with an unsure condition returns a bound that covers both numbers. The bounds are
-// doubles, each rounded up by a factor 1 + 2^-49, which covers the at most eight roundings of its
-// own computation; a bound is infinite where nothing can be said.
+// r is not estimated as u (the unit roundoff) times the result, but is what this operation really
+// rounds. For floats it is computed, because sums and products of floats fit doubles; for doubles
+// it is 2^-53 of the result. Where nothing is rounded, r is 0: 1 times x has the bound of x. A
+// comparison also says whether its result is certain; select() with an uncertain condition returns
+// a bound that covers both numbers. The bounds are doubles, each rounded up by a factor 1 + 2^-49,
+// which covers the at most eight roundings of its own computation; a bound is infinite where
+// nothing can be said.
 #pragma once
 
 #include <array>
@@ -29,14 +31,14 @@ namespace glassbox::bounded {
 
 inline constexpr double kRoundUp = 1 + 0x1p-49;
 
-// The result of a comparison of the computed numbers, and whether the exact numbers certainly give
-// the same.
+// The result of comparing two computed numbers, and whether comparing the exact numbers would
+// certainly give the same result.
 struct UncertainBool {
   bool holds = false;
   bool is_sure = true;
 
   friend UncertainBool operator!(UncertainBool a) { return {!a.holds, a.is_sure}; }
-  // If one operand is certainly true, the result is certain, whatever the other one is.
+  // If one operand is certainly true, the result is certain, whatever the other operand is.
   friend UncertainBool operator||(UncertainBool a, UncertainBool b) {
     return {a.holds || b.holds,
             (a.holds && a.is_sure) || (b.holds && b.is_sure) || (a.is_sure && b.is_sure)};
@@ -59,7 +61,7 @@ struct BoundedOf {
 
   BoundedOf() = default;
   BoundedOf(T exact) : value(exact) {}
-  // Where the bound is no number or the value is not finite, the bound becomes infinite.
+  // Where the bound is NaN or the value is not finite, the bound becomes infinite.
   BoundedOf(T computed, double bound_)
       : value(computed),
         bound(std::isfinite(computed) && bound_ >= 0 ? bound_
@@ -87,8 +89,8 @@ struct BoundedOf {
   }
 
 private:
-  // Whether the comparison is certain. Two numbers without error compare as their exact values do,
-  // equal ones too.
+  // Whether the result of a comparison is certain. Two numbers without error compare as their exact
+  // values do, also if they are equal.
   static bool is_certain(const BoundedOf& x, const BoundedOf& y) {
     if (x.bound == 0 && y.bound == 0) return true;
     return std::abs(double(x.value) - double(y.value)) > (x.bound + y.bound) * kRoundUp;
@@ -99,14 +101,15 @@ using Bounded = BoundedOf<float>;
 template <class F>
 concept Number = std::same_as<F, BoundedOf<float>> || std::same_as<F, BoundedOf<double>>;
 
-// a b, where 0 times infinity is 0: an unknown number that is multiplied by 0 does no harm.
+// a b, where 0 times infinity is 0: an infinite bound does no harm if it is multiplied by 0.
 inline double times(double a, double b) {
   return a == 0 || b == 0 ? 0 : a * b;
 }
 
-// ---- what an operation rounds ----
+// ---- how much an operation rounds ----
 
-// How far `rounded` is from the exact result at most: `near` is within `off` of it.
+// An upper bound of the distance between `rounded` and the exact result, which is within `off` of
+// `near`.
 template <class T>
 double rounding_error(T rounded, double near, double off) {
   return std::abs(near - double(rounded)) + off;
@@ -144,7 +147,8 @@ BoundedOf<T> product_of(const BoundedOf<T>& x, const BoundedOf<T>& y) {
   const double a = std::abs(double(x.value)), b = std::abs(double(y.value));
   // The product of two floats is exact in double.
   const double near = double(x.value) * double(y.value);
-  // The product of doubles may be subnormal, hence kSmallest. If a factor is 0, nothing is rounded.
+  // The product of doubles may be subnormal and then have a larger relative error, so kSmallest is
+  // added. If a factor is 0, nothing is rounded.
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
   const double own = std::same_as<T, float> ? rounding_error(value, near, 0)
                      : a == 0 || b == 0     ? 0
@@ -186,14 +190,15 @@ F select(UncertainBool condition, F yes, F no) {
   const F other = condition.holds ? no : yes;
   const double apart = std::abs(double(chosen.value) - double(other.value));
   const double whole = (apart + other.bound) * kRoundUp;
-  return {chosen.value, whole <= chosen.bound ? chosen.bound : whole};  // a NaN is not a bound
+  // If the bound of `chosen` is NaN, the comparison is false and gives `whole`.
+  return {chosen.value, whole <= chosen.bound ? chosen.bound : whole};
 }
 template <Number F>
 F select(bool condition, F yes, F no) {
   return condition ? yes : no;
 }
 
-// Certainly false: nothing may be left out that the exact numbers would include.
+// Whether the condition is certainly false: the exact numbers do not fulfil it either.
 inline bool none(UncertainBool condition) {
   return !condition.holds && condition.is_sure;
 }
@@ -214,7 +219,8 @@ inline Bounded to_float(std::int64_t i) {
   return {value, std::abs(double(std::int64_t(value) - i))};
 }
 
-// `value` with a bound, when a formula that differs from the run's only in rounding gave `same`.
+// `value` with the bound of `same`, the result of another formula that is equal in exact
+// arithmetic. The distance between the two is added.
 inline Bounded with_bound_from(float value, const Bounded& same) {
   return {value, (same.bound + std::abs(double(value) - double(same.value))) * kRoundUp};
 }

@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-// All points with low <= p <= high in every coordinate. A fresh box is empty and grows with
+// All points p with low <= p <= high in every coordinate. A new box is empty and grows with
 // include().
 template <class Space>
 struct Box {
@@ -34,12 +34,12 @@ struct Box {
     include(box.high);
   }
 
-  // Corner 0 .. 7: bit 0 chooses high x, bit 1 high y, bit 2 high z.
+  // Corner i in 0 .. 7: bit 0 of i chooses high x, bit 1 high y, bit 2 high z.
   Point<Space, double> corner(int i) const {
     return {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
             (i & 4) != 0 ? high.z : low.z};
   }
-  // Each corner is halved before the sum, so that no finite box overflows.
+  // Low and high are halved before the sum, so that no finite box overflows.
   Point<Space, double> center() const {
     return {low.x * 0.5 + high.x * 0.5, low.y * 0.5 + high.y * 0.5, low.z * 0.5 + high.z * 0.5};
   }

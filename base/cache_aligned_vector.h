@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-inline constexpr std::size_t kCacheLine = 64;  // bytes; no vector register is longer
+inline constexpr std::size_t kCacheLine = 64;  // bytes; vector registers are not longer
 
 template <class T>
 struct CacheLineAllocator {
@@ -17,7 +17,8 @@ struct CacheLineAllocator {
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-  // Different versions of clang-format put different spaces around these operators.
+  // The next lines are not formatted, because different versions of clang-format put different
+  // spaces around their operators.
   // clang-format off
   T* allocate(std::size_t count) {
     return static_cast<T*>(::operator new(bytes_of(count), std::align_val_t{kCacheLine}));

@@ -19,7 +19,7 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
     const auto lower = [](char e) { return e >= 'A' && e <= 'Z' ? char(e - 'A' + 'a') : e; };
     return lower(c) == lower(d);
   };
-  // Three rows of the table: row i and the two before it.
+  // Three rows of the table of distances are kept: row i and the two rows before it.
   std::vector<std::size_t> row(b.size() + 1), before(row), first(row);
   std::iota(row.begin(), row.end(), std::size_t(0));
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -36,8 +36,9 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// The only one of `words` that begins with `typed`, if `typed` has at least three letters; else the
-// nearest word, if the edits are at most a third of its letters, and at most two.
+// The only one of `words` that begins with `typed`, if `typed` has at least three letters.
+// Otherwise the word with the smallest edit distance, if the distance is at most a third of its
+// letters, and at most two.
 inline std::optional<std::string> closest_word(std::string_view typed,
                                                const std::vector<std::string>& words) {
   constexpr std::size_t kMostEdits = 2, kLongestWord = 64, kMinPrefixLength = 3;

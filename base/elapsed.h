@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-// Milliseconds since `since`, >= 0.
+// The milliseconds since the time point `since`, never negative.
 inline double elapsed_ms(std::chrono::steady_clock::time_point since) {
   const auto now = std::chrono::steady_clock::now();
   return std::chrono::duration<double, std::milli>(now - since).count();

@@ -12,14 +12,14 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// ln 2 in two parts. The first has 32 bits, so that its product with an exponent (11 bits) is
-// exact.
+// ln 2 as a sum of two doubles. The first has 32 bits, so that its product with an exponent (11
+// bits) is exact.
 constexpr double kLn2High = 0x1.62e42feep-1;
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
 
 // ln(1 + f) = 2 artanh(s) with s = f / (2 + f), and 2 artanh(s) = 2 s (1 + s^2/3 + s^4/5 + ...).
-// Returns the series in brackets without its 1, doubled: s^2 (2/3 + s^2 2/5 + ...). With |s| <=
-// 0.1716 the terms left out are below 2^-60 of ln(1 + f).
+// This returns the series in brackets without its first term 1, doubled: s^2 (2/3 + s^2 2/5 + ...).
+// With |s| <= 0.1716, the terms left out are below 2^-60 of ln(1 + f).
 double artanh_rest(double s) {
   const double z = s * s;
   constexpr double c3 = 2.0 / 3, c5 = 2.0 / 5, c7 = 2.0 / 7, c9 = 2.0 / 9, c11 = 2.0 / 11,
@@ -29,7 +29,7 @@ double artanh_rest(double s) {
   return z * (c3 + z * (c5 + z * (c7 + z * (c9 + z * (c11 + z * high)))));
 }
 
-// (e^r - 1 - r) / r^2 by Taylor's series. On |r| <= 0.3466 the terms left out are below 2^-60.
+// (e^r - 1 - r) / r^2 by Taylor's series. For |r| <= 0.3466, the terms left out are below 2^-60.
 double exponential_rest(double r) {
   constexpr double c2 = 1.0 / 2, c3 = 1.0 / 6, c4 = 1.0 / 24, c5 = 1.0 / 120, c6 = 1.0 / 720,
                    c7 = 1.0 / 5040, c8 = 1.0 / 40320, c9 = 1.0 / 362880, c10 = 1.0 / 3628800,
@@ -39,8 +39,8 @@ double exponential_rest(double r) {
   return c2 + r * (c3 + r * (c4 + r * (c5 + r * (c6 + r * (c7 + r * (c8 + r * high))))));
 }
 
-// Where the squares would overflow or underflow, all three numbers are first divided by the power
-// of two in the largest, which is exact.
+// sqrt(x^2 + y^2 + z^2). Where the squares would overflow or underflow, all three numbers are first
+// divided by the power of two of the largest one, which is exact.
 double root_of_squares(double x, double y, double z) {
   if (std::isinf(x) || std::isinf(y) || std::isinf(z)) return kInfinity;
   const double largest = std::max({std::abs(x), std::abs(y), std::abs(z)});
@@ -67,18 +67,18 @@ double logarithm(double x) {
     fraction *= 2;
     --exponent;
   }
-  const double f = fraction - 1;  // exact: within a factor of two of 1
+  const double f = fraction - 1;  // exact, because the fraction is within a factor of two of 1
   const double half_square = 0.5 * f * f;
   const double s = f / (2 + f);
-  // ln(1 + f) = f - (half_square - s (half_square + rest)). The term subtracted from f is small, so
-  // that its roundings have little effect.
+  // ln(1 + f) = f - (half_square - s (half_square + rest)), where rest = artanh_rest(s). The term
+  // subtracted from f is small, so that the rounding errors in it have little effect.
   const double correction = s * (half_square + artanh_rest(s));
   const double k = exponent;
   return k * kLn2High - ((half_square - (correction + k * kLn2Low)) - f);
 }
 
-// 1 + x is rounded to u, so u - 1 is x after rounding, computed exactly. The ratio ln(1 + y) / y
-// hardly differs between y = x and y = u - 1.
+// u is 1 + x after rounding, and u - 1 is computed exactly. ln(u) is multiplied by x / (u - 1),
+// because the ratio ln(1 + y) / y hardly differs between y = x and y = u - 1.
 double logarithm_1p(double x) {
   const double u = 1 + x;
   if (u == 1 || !std::isfinite(u) || !(u > 0)) return u == 1 ? x : logarithm(u);
@@ -90,8 +90,8 @@ double exponential(double x) {
   if (x > 709.79) return kInfinity;
   if (x < -745.14) return 0;
   const double k = std::floor(x * 1.4426950408889634074 + 0.5);
-  // x - k ln 2 = r + lost, |r| <= ln 2 / 2: the first difference is exact, and `lost` is what the
-  // second one rounds away.
+  // x - k ln 2 = r + lost with |r| <= ln 2 / 2. The first subtraction is exact, and `lost` is what
+  // the second one rounds away.
   const double high = x - k * kLn2High, low = k * kLn2Low;
   const double r = high - low;
   const double lost = (high - r) - low;
@@ -128,15 +128,15 @@ double logarithm_10(double x) {
   return x == power_of_ten(int(whole)) ? whole : found;
 }
 
-// A third of the number's bits, read as a number, is within 5 % of the root (Kahan's first guess).
-// Halley's iteration cubes a relative error and multiplies it by 2/3: 8e-5, 4e-13, then less than
-// rounding. The correction that it subtracts from a nearly exact root is small, so that its own
-// roundings have little effect.
+// Kahan's first guess is a third of the number's bits, read as a number, which is within 5 % of the
+// root. Halley's iteration cubes the relative error and multiplies it by 2/3: 8e-5, 4e-13, then
+// less than rounding. The last correction, which is subtracted from a nearly exact root, is small,
+// so that its own rounding errors have little effect.
 double cube_root(double x) {
   if (x == 0 || !std::isfinite(x)) return x;
   const double size = std::abs(x);
-  // The bits of subnormal numbers have another layout, and the largest numbers would overflow
-  // below; 2^54 and its cube root are powers of two.
+  // Subnormal numbers have a different layout of bits, and the largest numbers would overflow
+  // below, so the number is scaled by 2^54; the cube root of this factor is 2^18.
   if (size < 0x1p-1022) return cube_root(x * 0x1p54) * 0x1p-18;
   if (size > 0x1p1020) return cube_root(x * 0x1p-54) * 0x1p18;
   constexpr std::uint64_t kTwoThirdsOfOne = 0x2a9f7893ull << 32;

@@ -1,8 +1,8 @@
 // Logarithm, exponential, powers, cube root and hypotenuse that give the same bytes on every
 // machine, as base/trig.h does for trigonometry. (The last digit of a C library's functions depends
-// on the library, and on whether the processor has FMA.) They use polynomials and reductions, which
-// are IEEE double operations in one written order, and square roots, which IEEE 754 rounds
-// correctly.
+// on the library, and on whether the processor has FMA.) They use polynomials and argument
+// reductions, which are IEEE double operations in a fixed order, and square roots, which IEEE 754
+// rounds correctly.
 //
 // For floats in loops there are faster, less accurate overloads of cube_root and power in
 // images/colour/power.h.
@@ -23,20 +23,21 @@ double logarithm_1p(double x);
 // for NaN.
 double exponential(double x);
 
-// x^y = e^(y ln x) for x > 0. Error below 1 + 3 |y ln x| ulps: the farther the result is from 1,
-// the larger. 0^y is 0 for y > 0; NaN for x < 0, for NaN, and for other powers of 0.
+// x^y = e^(y ln x) for x > 0. Error below 1 + 3 |y ln x| ulps: it grows with the distance of the
+// result from 1. 0^y is 0 for y > 0; the result is NaN for x < 0, for NaN, and for other powers of
+// 0.
 double power(double x, double y);
 
-// x^n by multiplications from left to right, n >= 0: n - 1 roundings. x^0 is 1.
+// x^n for n >= 0, by n - 1 multiplications from left to right, each of which rounds. x^0 is 1.
 double whole_power(double x, int n);
 
 // 10^n: exact from 10^0 to 10^22, correctly rounded from 10^-22 to 10^-1, and with |n| + 1
 // roundings for other n. +inf above 10^308, 0 below 10^-308.
 double power_of_ten(int n);
 
-// The logarithms to base 2 and 10: ln(x) times a factor. The product and the factor are rounded
-// once more each: error below 2.5 ulps. For powers of two the result is exact to base 2, for 10^-22
-// .. 10^22 it is exact to base 10.
+// The logarithms to base 2 and 10: ln(x) times a factor. The factor and the product are rounded,
+// too: error below 2.5 ulps. The result is exact for powers of two to base 2, and for 10^-22 ..
+// 10^22 to base 10.
 double logarithm_2(double x);
 double logarithm_10(double x);
 

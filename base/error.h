@@ -28,7 +28,7 @@ struct Error {
   }
 };
 
-// A value, or the reason why there is none. Stages, cameras and loaders return it.
+// A value, or the error that says why there is none. Stages, cameras and loaders return it.
 template <class T>
 using Result = tl::expected<T, Error>;
 

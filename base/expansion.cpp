@@ -72,9 +72,9 @@ double sum_of_products(std::span<const double> a, std::span<const double> b) {
     sum += product;
     magnitude += std::abs(product);
   }
-  // A product is rounded once, and at most n - 1 times more on its way through the sum: an error of
-  // n u times the magnitude, which is itself rounded as often. One more u covers the second-order
-  // terms.
+  // A product is rounded once, and then at most n - 1 times in the sum, for n products: an error of
+  // at most n u times the magnitude, where u is the unit roundoff. The magnitude has rounding
+  // errors, too; one more u covers them, which are terms of second order.
   const double bound = double(a.size() + 1) * kRoundoff * magnitude;
   if (std::abs(sum) > bound) return sum;
   Expansion<2 * kMaxProducts> exact;

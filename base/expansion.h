@@ -7,7 +7,8 @@
 //
 // Valid inputs are zero or have 2^-200 <= |x| <= 2^200. Every float qualifies (2^-149 .. 2^128).
 // Products of up to four such numbers neither overflow nor lose a bit to underflow: the last bit of
-// the smallest is 4 * (-252) = 2^-1008, and splitting a factor costs another 2^27.
+// a factor is at least 2^-252, so that of a product is at least 2^(4 * -252) = 2^-1008, and
+// splitting a factor costs another 2^27.
 #pragma once
 
 #include <array>
@@ -17,13 +18,13 @@
 
 namespace glassbox {
 
-// A factor that the exact operations accept.
+// Whether the exact operations accept x as a factor.
 inline bool is_exactly_computable(double x) {
   const double magnitude = std::abs(x);
   return x == 0 || (magnitude >= 0x1p-200 && magnitude <= 0x1p200);  // false for NaN
 }
 
-// `high` is the rounded result, and high + low is the exact one.
+// `high` is the rounded result of an operation, and high + low is its exact result.
 struct TwoTerms {
   double high;
   double low;
@@ -40,9 +41,10 @@ inline TwoTerms two_difference(double a, double b) {
   return two_sum(a, -b);
 }
 
-// Two halves of at most 26 bits each (Veltkamp), so that products of halves are exact.
+// Splits a double into two parts of at most 26 bits each (Veltkamp), so that products of parts are
+// exact.
 inline TwoTerms split(double a) {
-  const double shifted = 0x8000001p0 * a;  // 2^27 + 1
+  const double shifted = 0x8000001p0 * a;  // the factor is 2^27 + 1
   const double high = shifted - (shifted - a);
   return {high, a - high};
 }
@@ -68,19 +70,20 @@ struct Expansion {
     append(value.high);
   }
 
-  // The next larger term of a number that is being built from its smallest.
+  // Appends the next larger term of a number that is built up from its smallest term.
   void append(double term) {
     if (term != 0) terms[std::size_t(count++)] = term;
   }
 
-  // Adds one double (Shewchuk's Grow-Expansion). The caller has made room: the capacity is one more
-  // than the terms in use, or as large as the number of bits that the result can span.
+  // Adds one double (Shewchuk's Grow-Expansion). The caller must make sure that there is room: the
+  // capacity must be one more than the terms in use, or as large as the number of bits that the
+  // result can span.
   void add(double value) {
     const int old_count = count;
     count = 0;
     for (int i = 0; i < old_count; ++i) {
       const TwoTerms sum = two_sum(value, terms[std::size_t(i)]);
-      append(sum.low);  // is written behind the term that is being read, so nothing is overwritten
+      append(sum.low);  // written behind the term that is being read: nothing is overwritten
       value = sum.high;
     }
     append(value);
@@ -96,9 +99,9 @@ struct Expansion {
     return terms[std::size_t(count - 1)] > 0 ? 1 : -1;
   }
 
-  // The number as a double, to a few units in the last place. Its sign is right because the largest
-  // terms come first: a partial sum is exact until it is 2^53 times larger than all the remaining
-  // terms.
+  // The number as a double, to a few units in the last place. The sign is right because the largest
+  // terms are added first: a partial sum is exact until it is 2^53 times larger than all the
+  // remaining terms.
   double estimate() const {
     double sum = 0;
     for (int i = count - 1; i >= 0; --i) sum += terms[std::size_t(i)];
@@ -154,14 +157,14 @@ inline Expansion<2> exact_product(double a, double b) {
 using Exact2 = std::array<double, 2>;
 using Exact3 = std::array<double, 3>;
 
-// +1 where a, b, c turn counter-clockwise, -1 where clockwise, 0 where they are on one line: the
-// sign of (a - c) x (b - c). Exact for valid inputs; a static filter (Shewchuk 1997) decides nearly
-// all calls.
+// The sign of (a - c) x (b - c): +1 if the turn a, b, c is counter-clockwise, -1 if clockwise, 0 if
+// the points are on one line. Exact for valid inputs. Nearly always the double result is larger
+// than its error bound (Shewchuk 1997), and exact arithmetic is not needed.
 int sign_of_orient2d(const Exact2& a, const Exact2& b, const Exact2& c);
 
-// The sign of the determinant with the rows a - d, b - d, c - d: +1 where a, b, c turn clockwise as
-// seen from d, 0 where the four points are in one plane. Exact for valid inputs, with a filter like
-// the above.
+// The sign of the determinant with the rows a - d, b - d, c - d: +1 if a, b, c turn clockwise as
+// seen from d, 0 if the four points are in one plane. Exact for valid inputs; like
+// sign_of_orient2d, it tries doubles first.
 int sign_of_orient3d(const Exact3& a, const Exact3& b, const Exact3& c, const Exact3& d);
 
 // a[0] b[0] + ... + a[n-1] b[n-1] for at most kMaxProducts pairs. The sign of the result is exact

@@ -1,9 +1,9 @@
 // Compilation fails on machines that store the highest byte of a number first (big-endian).
 //
-// glTF's buffers, .ldi files, pages' tables and PLY files store numbers with the lowest byte first,
-// and are read and written as they are in memory; the lanes take a colour's four bytes as one
-// number whose lowest byte is red. A big-endian machine would draw wrong pictures without an error.
-// Every file that relies on the byte order includes this header.
+// glTF's buffers, .ldi files, the tables in HTML pages and PLY files store numbers with the lowest
+// byte first, and are read and written as they are in memory; the vector code in raster/lanes takes
+// a colour's four bytes as one number whose lowest byte is red. A big-endian machine would draw
+// wrong pictures without an error. Every file that relies on the byte order includes this header.
 #pragma once
 
 #include <bit>

@@ -1,8 +1,8 @@
 // The operations that the formulas of the stages use (base/formulas, pipeline/formulas,
 // raster/formulas), for single numbers. The formula files have no namespace of their own: they are
-// included once here as functions of single numbers, and once more by the lanes for each
+// included once here as functions of single numbers, and once more in raster/lanes for each
 // instruction set. raster/lanes/numbers-inl.h defines the same names for as many numbers as a
-// processor's vectors hold; a formula does not depend on which of the two it is compiled for.
+// vector register holds; the text of a formula is the same in each case.
 #pragma once
 
 #include <array>
@@ -40,14 +40,14 @@ inline std::int32_t one_where(bool condition) {
 
 // ---- kinds of numbers ----
 
-// Rounded to nearest.
+// Converts to float, rounded to nearest.
 inline float to_float(std::int32_t i) {
   return float(i);
 }
 inline float to_float(std::int64_t i) {
   return float(i);
 }
-// x has to be an integer.
+// Converts a float, which must be a whole number.
 inline std::int32_t to_integer(float x) {
   return std::int32_t(x);
 }
@@ -69,7 +69,7 @@ inline float float_of(std::int32_t bits) {
   return std::bit_cast<float>(bits);
 }
 
-// i 2^kBits, and i 2^-kBits rounded down.
+// i 2^kBits; and, below, i 2^-kBits rounded down.
 template <int kBits, WholeNumber I>
 inline I shifted_left(I i) {
   return i * (I(1) << kBits);
@@ -83,7 +83,7 @@ inline I shifted_right(I i, I bits) {
   return i >> bits;
 }
 
-// i f 2^-15 rounded to nearest, halves up: |i| < 2^15, and f in [0, 2^15).
+// i f 2^-15 rounded to the nearest integer, halves upwards, for |i| < 2^15 and f in [0, 2^15).
 inline std::int32_t times_fraction(std::int32_t i, std::int32_t f) {
   return (i * f + (1 << 14)) >> 15;
 }

@@ -9,9 +9,9 @@
 
 namespace glassbox {
 
-// A terminal obeys control characters (U+0000 to U+001F, U+007F to U+009F). The formatting
-// characters that change the direction of writing (Unicode annex 9, section 2) can show a name as
-// another one.
+// Whether a character is shown as it is. A terminal obeys control characters (U+0000 to U+001F,
+// U+007F to U+009F). The formatting characters that change the direction of writing (Unicode annex
+// 9, section 2) can make a name look like another one.
 inline bool is_shown_as_itself(char32_t c) {
   const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
   const bool direction = c == 0x061c || c == 0x200e || c == 0x200f ||  //
@@ -21,7 +21,7 @@ inline bool is_shown_as_itself(char32_t c) {
 
 // Returns the text with '?' for each character that is not shown as itself and for each byte that
 // is not part of valid UTF-8: names in files may be hostile. At most `max_length` bytes of the text
-// are used, never a part of a character; "..." stands for the others.
+// are used, never a part of a character; if the text is longer, "..." follows.
 inline std::string printable(std::string_view text, std::size_t max_length = 80) {
   std::string out;
   std::string_view rest = text;

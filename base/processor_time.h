@@ -1,5 +1,5 @@
-// Processor time of this program, which other work on the machine disturbs less than time on the
-// clock.
+// The processor time of this program. Other work on the machine disturbs it less than the time on
+// the clock.
 #pragma once
 
 #include <ctime>

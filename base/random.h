@@ -22,7 +22,7 @@ public:
   // Uniform in [0, 1), a multiple of 2^-53.
   double unit() { return double(bits() >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * unit(); }
-  // between(low, high) times a power of two with an exponent in [lowest, highest], each equally
+  // between(low, high) times 2^n, where every whole number n in [lowest, highest] is equally
   // likely: numbers of many sizes.
   double scaled(double low, double high, int lowest, int highest) {
     const double significand = between(low, high);

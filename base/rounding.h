@@ -1,9 +1,9 @@
-// The quantities that error bounds are written in: unit roundoff u, gamma(k), and distances in
-// ulps.
+// The quantities in which error bounds are written: the unit roundoff u, gamma(k), and distances in
+// ulps (units in the last place).
 //
 // Every operation multiplies its exact result by a factor 1 + d with |d| <= u; k operations in a
-// row by at most 1 + gamma(k) (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed.,
-// section 3.1).
+// row multiply it by at most 1 + gamma(k) (Higham, Accuracy and Stability of Numerical Algorithms,
+// 2nd ed., section 3.1).
 #pragma once
 
 #include <bit>
@@ -38,20 +38,22 @@ T ulp(T x) {
   return std::bit_cast<T>(Bits(bits + 1)) - a;
 }
 
-// How many numbers of the format the step from a to b is: 0 for equal numbers (-0 and 0 are equal),
-// 1 for neighbours. A NaN is as far from every number as the result can express.
+// The number of steps between neighbouring numbers of the format that lead from a to b: 0 for equal
+// numbers (-0 and 0 are equal), 1 for neighbours. A NaN has the largest distance that the result
+// can express from every number.
 template <class T>
 std::uint64_t ulp_distance(T a, T b) {
   if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<std::uint64_t>::max();
   using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-  // Read as integers, magnitudes count up from 0; negative numbers count downwards from 0.
+  // The bits of magnitudes, read as integers, count up from 0, so the distance is a difference; for
+  // numbers of opposite signs it is the sum of the distances from 0.
   const std::uint64_t ma = std::bit_cast<Bits>(std::abs(a)), mb = std::bit_cast<Bits>(std::abs(b));
   if (std::signbit(a) != std::signbit(b)) return ma + mb;
   return ma > mb ? ma - mb : mb - ma;
 }
 
-// |value - exact| in ulps of the exact value, for a reference of higher precision that converts to
-// double.
+// |value - exact| in ulps of the exact value. `exact` is a reference of higher precision that can
+// be converted to double.
 template <class Exact>
 double error_in_ulps(double value, const Exact& exact) {
   return std::abs(double((Exact(value) - exact) / Exact(ulp(double(exact)))));

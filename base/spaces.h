@@ -16,7 +16,7 @@
 
 namespace glassbox {
 
-struct Object {};  // as modelled
+struct Object {};  // the space in which a mesh was modelled
 struct World {};   // right-handed; cameras and lights live here
 struct Eye {};     // x right, y up, the camera looks down -z
 // Homogeneous; w is the distance along the direction of view (1 for parallel projections).
@@ -36,8 +36,8 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-// A position in clip space is homogeneous: (x, y, z, w) and its positive multiples are the same
-// place.
+// A position in clip space is homogeneous: (x, y, z, w) and all its positive multiples are the same
+// position.
 template <class T>
 struct Point<Clip, T> {
   using scalar = T;
@@ -144,8 +144,8 @@ struct Transform {
   friend bool operator==(const Transform&, const Transform&) = default;
 };
 
-// Row times column, summed from left to right: this order is fixed, so that the result is the same
-// everywhere.
+// The product of two transforms: row times column, summed from left to right. This order is fixed,
+// so that the result is the same everywhere.
 template <class A, class B, class C, class T>
 Transform<A, C, T> operator*(const Transform<A, B, T>& a_from_b,
                              const Transform<B, C, T>& b_from_c) {
@@ -168,7 +168,7 @@ T transform_row(const Transform<Target, Source, T>& m, int row, const Point<Sour
   return transform_row(m, row, p.x, p.y, p.z);
 }
 
-// Between affine spaces the last row is (0, 0, 0, 1), so it is not read.
+// A transform between affine spaces has the last row (0, 0, 0, 1), so that row is not read.
 template <class Target, class Source, class T>
 Point<Target, T> operator*(const Transform<Target, Source, T>& m, const Point<Source, T>& p) {
   return {transform_row(m, 0, p), transform_row(m, 1, p), transform_row(m, 2, p)};
@@ -187,7 +187,8 @@ Vector<Target, T> operator*(const Transform<Target, Source, T>& m, const Vector<
           m.at(2, 0) * v.x + m.at(2, 1) * v.y + m.at(2, 2) * v.z};
 }
 
-// Rounds a composed matrix to the precision of the stages: the only rounding to float.
+// Rounds a composed matrix to the precision of the stages. Matrices are rounded to float nowhere
+// else.
 template <class Target, class Source>
 Transform<Target, Source, float> round_to_float(const Transform<Target, Source, double>& m) {
   return Transform<Target, Source, float>(glm::mat<4, 4, float>(m.columns));

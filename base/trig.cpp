@@ -14,7 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPiLow = 0x1.1a62633145c07p-53;       // pi - kPi
 constexpr double kSqrtHalf = 0.707106781186547524401;  // sin and cos of 45 degrees
 
-// An unevaluated sum: `low` is the part of the value that `high` has no bits for.
+// A number stored as the sum high + low: `low` is the part for which `high` has no bits.
 struct Pair {
   double high = 0, low = 0;
 };
@@ -25,18 +25,18 @@ struct Reduced {
   int quadrant = 0;
 };
 
-// x with its 27 lowest bits cleared: 26 are left, so that a product with a factor of 27 bits is
-// exact.
+// x with its 27 lowest bits cleared. 26 bits are left, so that a product with a factor of 27 bits
+// is exact.
 double upper_half(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~std::uint64_t(0x7ffffff));
 }
 
 // ---- series ----
-// Taylor's coefficients, each the correctly rounded quotient. On |r| <= pi/4 the terms left out are
-// below 0.001 ulp of the sine and 0.0001 ulp of the cosine.
+// The coefficients are Taylor's, each the correctly rounded quotient. For |r| <= pi/4, the terms
+// left out are below 0.001 ulp of the sine and 0.0001 ulp of the cosine.
 
 // sin(high + low) = high + (high^3 (-1/3! + high^2/5! ...) + low cos(high)). The term added to
-// `high` is small beside it, so that its roundings have little effect.
+// `high` is much smaller than `high`, so that its rounding errors have little effect.
 double sin_series(Pair r) {
   const double x = r.high, z = x * x;
   constexpr double c3 = -1.0 / 6, c5 = 1.0 / 120, c7 = -1.0 / 5040, c9 = 1.0 / 362880,
@@ -82,18 +82,19 @@ int quadrant_of(double turns) {
   return int(std::int64_t(turns) & 3);
 }
 
-// Cody and Waite 1980: pi/2 in pieces of 33 bits, so that their products with up to 20 bits of n
-// are exact. The part of pi/2 that the pieces leave out is below 2^-157 n, and no double up to 2^20
-// is nearer than about 2^-60 to a multiple of pi/2, so the remainder keeps more than 70 significant
-// bits.
+// The method of Cody and Waite (1980): pi/2 is a sum of parts of 33 bits, so that their products
+// with up to 20 bits of n are exact. What these parts lack of pi/2 is below 2^-157 n, and no double
+// up to 2^20 is nearer than about 2^-60 to a multiple of pi/2, so the remainder has more than 70
+// correct bits.
 Reduced reduce_radians(double x) {
   constexpr double p1 = 0x1.921fb544p+0, p2 = 0x1.0b4611a6p-34, p3 = 0x1.3198a2ep-69,
                    p4 = 0x1.b839a252049c1p-104;
   const double n = std::floor(x * 0.63661977236758134308 + 0.5);
-  // Exact: both are multiples of x's last bit or of a coarser one, and the difference is small.
+  // Exact: x and n p1 are multiples of x's last bit or of a coarser one, and their difference is
+  // small.
   const double a = x - n * p1;
   const double b = n * p2;
-  // Knuth's two-sum: a - b = high + low exactly, whichever is larger.
+  // Knuth's two-sum: a - b = high + low exactly, whichever of a and b is larger.
   const double high = a - b;
   const double b_seen = a - high;
   const double low = (a - (high + b_seen)) + (b_seen - b);
@@ -102,8 +103,8 @@ Reduced reduce_radians(double x) {
   return {{sum, (high - sum) + tail}, quadrant_of(n)};
 }
 
-// degrees * pi/180, with the factor in pieces: 26 + 26 bits and the rest. Products of halves are
-// exact.
+// degrees * pi/180, with the factor as a sum of two parts of 26 bits and the rest. The angle is
+// split, too, so that products of parts are exact.
 Pair radians_pair(double degrees) {
   constexpr double p1 = 0x1.1df46ap-6, p2 = 0x1.294e9c8p-33, p3 = 0x1.5c1d8becdd291p-62;
   const double d1 = upper_half(degrees), d2 = degrees - d1;
@@ -113,10 +114,11 @@ Pair radians_pair(double degrees) {
   return {sum, (head - sum) + tail};
 }
 
-// For degrees >= 0.
+// Sine and cosine for degrees >= 0.
 SinCos sin_cos_degrees_positive(double degrees) {
   const double n = std::floor(degrees / 90 + 0.5);
-  const double rest = degrees - 90 * n;  // exact, as for radians: 90 n is an integer below 2^27
+  // Exact: 90 n is an integer below 2^27, and the difference is small.
+  const double rest = degrees - 90 * n;
   const int quadrant = quadrant_of(n);
   if (rest == 45 || rest == -45) {
     const bool s_negative =
@@ -161,8 +163,8 @@ constexpr Pair kArctanOfInverseSixteenths[] = {
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},  // 16/16
 };
 
-// arctan(t) - t by the first `terms` terms of Gregory's series, -t^3/3 + t^5/5 - ..., the smallest
-// first.
+// arctan(t) - t by the first `terms` terms of Gregory's series, -t^3/3 + t^5/5 - ..., of which the
+// smallest is added first.
 double arctan_minus_t(double t, int terms) {
   constexpr double c[] = {-1.0 / 3, 1.0 / 5,   -1.0 / 7, 1.0 / 9,   -1.0 / 11, 1.0 / 13,  -1.0 / 15,
                           1.0 / 17, -1.0 / 19, 1.0 / 21, -1.0 / 23, 1.0 / 25,  -1.0 / 27, 1.0 / 29};
@@ -175,8 +177,9 @@ double arctan_minus_t(double t, int terms) {
 constexpr int kTermsBelow9Over32 = 14;  // left out: (9/32)^30/31 of the result, 0.01 ulp
 constexpr int kTermsBelow1Over31 = 5;   // left out: 31^-12/13 of t
 
-// arctan(a) = arctan(c) + arctan((a - c)/(1 + a c)) with c near a, from a table: |t| < 1/31, so
-// that its rounding is a small part of an ulp of the sum. For 9/32 <= a <= 1.
+// arctan(a) = arctan(c) + arctan(t) with t = (a - c)/(1 + a c), for 9/32 <= a <= 1. c is a multiple
+// of 1/16 near a, whose arctangent is in a table. |t| < 1/31, so its rounding error is a small part
+// of an ulp of the sum.
 double arctan_by_table(double a) {
   const int k = int(std::floor(a * 16 + 0.5));
   const double c = k * 0.0625;
@@ -185,20 +188,20 @@ double arctan_by_table(double a) {
   return base.high + (base.low + (t + arctan_minus_t(t, kTermsBelow1Over31)));
 }
 
-// The same with 1/c: arctan(a) = arctan(1/c) + arctan((a c - 1)/(a + c)). For a > 1; c is 0 for a >
-// 32.
+// The same for a > 1, with 1/c in place of c: arctan(a) = arctan(1/c) + arctan((a c - 1)/(a + c)).
+// c is 0 for a > 32.
 double arctan_of_large(double a) {
   const int k = int(std::floor(16 / a + 0.5));
   const double c = k * 0.0625;
-  // a c is nearly 1, or 0. With a in two halves the products are exact, and so is the first
-  // difference.
+  // a c is nearly 1, or 0. If a is split into a1 + a2, the products with c are exact, and so is a1
+  // c - 1.
   const double a1 = upper_half(a), a2 = a - a1;
   const double t = k == 0 ? -1 / a : ((a1 * c - 1) + a2 * c) / (a + c);
   const Pair& base = kArctanOfInverseSixteenths[k];
   return base.high + (base.low + (t + arctan_minus_t(t, kTermsBelow1Over31)));
 }
 
-// For a >= 0.
+// The arctangent for a >= 0.
 double arctan_positive(double a) {
   if (a < 0.28125) return a + arctan_minus_t(a, kTermsBelow9Over32);
   return a <= 1 ? arctan_by_table(a) : arctan_of_large(a);
@@ -221,8 +224,8 @@ SinCos sin_cos_degrees(double degrees) {
   return {(std::signbit(degrees) ? -r.sin : r.sin) + 0.0, r.cos + 0.0};
 }
 
-// The double kHalfPi is not exactly a right angle: sine and cosine of its half round to different
-// doubles, though their quotient, 1 + 6e-17, rounds to 1.
+// The double kHalfPi is not exactly a right angle: the sine and cosine of its half round to
+// different doubles, although their exact quotient, 1 + 6e-17, rounds to 1.
 double cot_half(double radians) {
   if (radians == kHalfPi) return 1;
   const SinCos half = sin_cos(radians * 0.5);
@@ -257,7 +260,7 @@ double arctan2(double y, double x) {
   if (ay == kInfinity && ax == kInfinity) {
     angle = std::signbit(x) ? 3 * (kHalfPi * 0.5) : kHalfPi * 0.5;
   } else if (ax == 0 && ay != 0) {
-    angle = kHalfPi;  // no division by zero
+    angle = kHalfPi;  // avoids a division by zero
   } else if (!std::signbit(x)) {
     angle = ay == 0 ? 0 : arctan_positive(ay / ax);
   } else if (ay > ax) {

@@ -1,6 +1,7 @@
 // Sine, cosine and arctangent that give the same bytes on every machine. Fields of view, rotations,
 // built-in shapes and light cones use them instead of libm, whose last bit differs from library to
-// library. Polynomials and reductions are IEEE double operations in one written order.
+// library. They use polynomials and argument reductions, which are IEEE double operations in a
+// fixed order.
 //
 // Errors are in ulps of the exact result for the argument as given. tests/base/trig_test.cpp
 // measures them against 50 digits; docs/conventions.md has the measured maxima.
@@ -49,8 +50,9 @@ double arctan(double x);
 // IEEE 754 defines for atan2. Error below 2 ulps unless the result is subnormal.
 double arctan2(double y, double x);
 
-// One multiplication by the rounded factor pi/180: error at most 1.5 ulps. Pass angles that a
-// person wrote in degrees to the *_degrees functions instead, which keep 90 exact.
+// The angle is multiplied by the rounded factor pi/180: error at most 1.5 ulps. Angles that a
+// person wrote in degrees should go to the *_degrees functions instead, where 90 degrees stay
+// exact.
 constexpr double radians_from_degrees(double degrees) {
   return degrees * 0.017453292519943295769;
 }

@@ -18,8 +18,8 @@ namespace glassbox {
 
 namespace {
 
-// Adds a command that is not compiled into this program: it is listed, and refuses with a message
-// that says how to build it.
+// Adds a command that is not compiled into this program. It is listed, and if it is run, it prints
+// how to build a program that has it.
 void add_name(const CommandName& absent, CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(absent.name);
   command.prefix_command();

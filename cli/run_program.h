@@ -1,5 +1,5 @@
-// Runs a program with the commands of all subjects, or of one: then somebody who needs only these
-// commands does not have to wait until the rest is compiled (docs/building.md).
+// Runs a program with the commands of all subjects, or of only one subject: somebody who needs only
+// these commands then does not have to wait until the rest is compiled (docs/building.md).
 #pragma once
 
 #include <span>

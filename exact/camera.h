@@ -1,4 +1,4 @@
-// The camera's matrix in 50 digits.
+// A camera's view matrix, computed with 50 digits.
 #pragma once
 
 #include <glassbox/base/spaces.h>
@@ -19,8 +19,8 @@ inline DecimalVector normalised(const DecimalVector& v) {
   return {v.x / length, v.y / length, v.z / length};
 }
 
-// The UVN matrix (S4-02) of exactly the numbers given. `up` must not be parallel to the direction
-// of view.
+// The view matrix with the rows U, V, N (S4-02), computed from the given doubles without rounding
+// them first. `up` must not be parallel to the direction of view.
 inline Matrix4<Decimal> look_at(const Point<World, double>& eye, const Point<World, double>& target,
                                 const Vector<World, double>& up) {
   const auto at = [](const Point<World, double>& p) {

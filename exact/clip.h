@@ -1,4 +1,5 @@
-// Clipping in exact arithmetic: the reference for the clipper's results.
+// Clips polygons in exact arithmetic: the reference that the clipper's rounded results are compared
+// with.
 #pragma once
 
 #include <array>
@@ -59,7 +60,7 @@ ExactPolygon<N> clip(ExactPolygon<N> polygon, std::span<const ClipPlane> planes)
   return polygon;
 }
 
-// Twice the signed area after the division by w. No w may be zero.
+// Twice the signed area of the polygon after the division by w. No w may be zero.
 template <class N>
 N twice_ndc_area(const ExactPolygon<N>& polygon) {
   N sum = 0;

@@ -1,5 +1,6 @@
-// Which pixels a snapped triangle covers, in any integers that are wide enough: 2 (25 + 25) bits
-// and a sign.
+// Decides which pixels a snapped triangle covers, in any integer type N that is wide enough:
+// differences of coordinates have up to 25 bits, so the difference of two products of them has up
+// to 25 + 25 + 1 bits and a sign.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@ namespace glassbox::exact {
 
 using SnappedTriangle = std::array<SnappedVertex, 3>;
 
-// The vertex in subpixels: floor(256 v + 1/2). In double both operations are exact for every float
-// below 2^16 pixels.
+// Rounds the vertex to subpixels (1/256 pixel): floor(256 v + 1/2) for each coordinate v. In double
+// the result is exact for every float v below 2^16 pixels.
 inline SnappedVertex snapped(const ScreenVertex& vertex) {
   const auto subpixels = [](float pixels) {
     return std::int32_t(std::floor(double(pixels) * kSubpixels + 0.5));
@@ -27,7 +28,7 @@ inline SnappedTriangle snapped(const std::array<ScreenVertex, 3>& t) {
 
 // The direction in which three points turn on a screen whose y points down, which is the sign of
 // their area: 1 is clockwise, a back face; -1 is counter-clockwise; 0 means on one line or in one
-// point. N has to hold the products of their differences.
+// point. The type N has to be wide enough for products of two differences of coordinates.
 template <class N, class P>
 int orientation(const P& a, const P& b, const P& c) {
   const N one = (N(b.x) - N(a.x)) * (N(c.y) - N(a.y)),
@@ -48,8 +49,9 @@ N cross_at(const SnappedVertex& a, const SnappedVertex& b, std::int64_t x, std::
 }
 
 // The top-left rule in another form: the sample is moved right and down by (e, e^2), where e is
-// infinitely small. Then it is on no edge, and it is inside if it is on the same side of all three.
-// This needs neither an orientation nor classes of edges.
+// infinitely small. Then it is on no edge, and it is inside if it is on the same side of all three
+// edges. So the function needs neither the triangle's orientation nor a list of which edges are top
+// or left edges.
 template <class N>
 bool covers(const SnappedTriangle& t, std::int64_t x, std::int64_t y) {
   int sides[3];
@@ -57,7 +59,7 @@ bool covers(const SnappedTriangle& t, std::int64_t x, std::int64_t y) {
     const SnappedVertex& a = t[k];
     const SnappedVertex& b = t[(k + 1) % 3];
     const N cross = cross_at<N>(a, b, x, y);
-    const std::int64_t by_x = std::int64_t(a.y) - b.y;  // d cross / d x
+    const std::int64_t by_x = std::int64_t(a.y) - b.y;  // the derivative of `cross` by x
     const std::int64_t by_y = std::int64_t(b.x) - a.x;
     const auto sign = [](const auto& n) { return (n > 0) - (n < 0); };
     sides[k] = cross != 0 ? sign(cross) : by_x != 0 ? sign(by_x) : sign(by_y);

@@ -44,7 +44,7 @@ Vector4<N> operator*(const Matrix4<N>& m, const Vector4<N>& v) {
   return product;
 }
 
-// Exactly the numbers of a matrix of doubles or floats.
+// Converts a matrix of doubles or floats to exact numbers, without rounding.
 template <class N, class Target, class Source, class T>
 Matrix4<N> exactly(const Transform<Target, Source, T>& m) {
   Matrix4<N> exact;
@@ -63,8 +63,8 @@ Vector4<N> exactly(const Point<Clip, T>& p) {
   return {N(double(p.x)), N(double(p.y)), N(double(p.z)), N(double(p.w))};
 }
 
-// A rotation by the quaternion (a, b, c, d) of small integers. All entries are integers divided by
-// a^2 + b^2 + c^2 + d^2, so they are exact.
+// A rotation matrix made from a quaternion (a, b, c, d) of small integers. Each entry is an integer
+// divided by a^2 + b^2 + c^2 + d^2, so numerator and denominator are stored without rounding.
 struct PythagoreanRotation {
   std::int64_t denominator = 1;
   std::array<std::array<std::int64_t, 3>, 3> numerator{};  // [row][column]

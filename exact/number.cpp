@@ -51,8 +51,8 @@ Number<Kind> wrapped(const Inside<Kind>& value) {
   return number;
 }
 
-// Operations on Decimal return infinity or NaN where there is no result; this throws, so that
-// neither leaves the class.
+// The library's operations return an infinite or NaN Decimal if there is no result. This function
+// throws then, so that users of Number never get one.
 template <class Kind>
 void require_finite(const Number<Kind>& number) {
   if constexpr (std::is_same_v<Kind, DecimalKind>) {

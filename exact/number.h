@@ -1,7 +1,7 @@
-// Arithmetic without rounding, or with so little that it does not matter. Reference results are
-// computed in it.
+// Numbers for reference results: their arithmetic does not round, or rounds so little that it does
+// not matter.
 //
-//   Integer    128 bits, exact; throws on overflow      everything after the snap
+//   Integer    128 bits, exact; throws on overflow      coordinates in subpixels
 //   Rational   exact, of any size                       floats and doubles, + - * /
 //   Decimal    50 digits or more, correctly rounded     roots, angles; long products
 //
@@ -23,15 +23,15 @@ struct RationalKind {};
 struct DecimalKind {};
 
 // Can be used like a built-in number. An operation that has no result throws std::domain_error,
-// std::range_error or std::overflow_error: for an infinity or NaN as input, a fraction for Integer,
-// a division by zero, an overflow of Integer.
+// std::range_error or std::overflow_error: a conversion from infinity or NaN, a conversion from a
+// fraction to Integer, a division by zero, an overflow of Integer.
 template <class Kind>
 class Number {
 public:
   Number() : Number(std::int64_t(0)) {}
   Number(std::integral auto value) : Number(std::int64_t(value)) {}
   Number(std::int64_t value);
-  // Exactly this number, with every bit of it.
+  // Stores the value of the double without rounding.
   explicit Number(double value);
   Number(const Number& other);
   Number& operator=(const Number& other);
@@ -73,7 +73,8 @@ using Integer = Number<IntegerKind>;
 using Rational = Number<RationalKind>;
 using Decimal = Number<DecimalKind>;
 
-// Conversions to a wider kind; the second is rounded to Decimal's digits.
+// Conversions to a type that can hold more values. decimal_from rounds the quotient to Decimal's 50
+// digits.
 Rational rational_from(const Integer& a);
 Decimal decimal_from(const Rational& a);
 

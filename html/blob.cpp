@@ -15,8 +15,8 @@ using Bytes = std::vector<std::uint8_t>;
 Result<Bytes> deflated(std::span<const std::uint8_t> bytes) {
   uLongf size = compressBound(uLong(bytes.size()));
   Bytes out(size);
-  // Level 4 instead of the usual 6: for renderings the result is at most a tenth larger, in a
-  // quarter of the time.
+  // Level 4 instead of the usual 6: for renderings the result is at most a tenth larger than with
+  // 6, in a quarter of the time.
   if (compress2(out.data(), &size, bytes.data(), uLong(bytes.size()), 4) != Z_OK) {
     return fail("", "zlib could not compress a picture", "free some memory");
   }

@@ -18,7 +18,7 @@ std::string base64(std::span<const std::uint8_t> bytes);
 // The bytes as one zlib stream in base64. html/inflate.js decodes it.
 Result<std::string> compressed_base64(std::span<const std::uint8_t> bytes);
 
-// <script type="application/octet-stream" id=ID>TEXT</script> and a line's end.
+// <script type="application/octet-stream" id=ID>TEXT</script> and a line feed.
 std::string data_block(std::string_view id, std::string_view text);
 
 // <script type="application/json" id=ID> with JSON in ASCII. "<", which can occur in strings only,

@@ -11,13 +11,13 @@ namespace glassbox {
 // The parts of a page that html/embed.cmake embeds as kNamePage in "name_page.h".
 struct PageParts {
   std::string_view body, style, style_hash;
-  std::span<const std::string_view> script;  // one text in pieces
+  std::span<const std::string_view> script;  // one text, in parts
   std::string_view script_hash;              // empty if the page has no script
 };
 
-// Assembles the page. Its body begins with the body of the parts; `content` is markup that follows
-// it. `title` is plain text. The page's Content-Security-Policy allows only the style and the
-// script with these hashes, and pictures that are inside the page.
+// Assembles the page. Its body begins with the body of the parts; `content` is the markup that
+// follows. `title` is plain text. The page's Content-Security-Policy allows only the style and the
+// script with the hashes in `parts`, and pictures that are inside the page.
 std::string assemble_page(const PageParts& parts, const std::string& title,
                           std::string_view content);
 

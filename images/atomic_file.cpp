@@ -31,7 +31,7 @@ tl::unexpected<Error> system_error(const std::string& path, const std::string& w
   return file_error(path, what + ": " + std::strerror(code), remedy);
 }
 
-// A file descriptor that closes itself; close() reports errors that the destructor cannot report.
+// A file descriptor that closes itself; close() reports errors, which the destructor cannot do.
 class Descriptor {
 public:
   explicit Descriptor(int fd) : fd_(fd) {}
@@ -41,14 +41,14 @@ public:
     if (fd_ >= 0) ::close(fd_);
   }
   int get() const { return fd_; }
-  // Returns 0 or the error number.
+  // Returns 0, or the error number if the file could not be closed.
   int close() { return ::close(std::exchange(fd_, -1)) == 0 ? 0 : errno; }
 
 private:
   int fd_;
 };
 
-// Removes the file that it names, unless the file has been renamed to its final name.
+// Removes the temporary file that it names, unless the file has been renamed to its final name.
 class TemporaryFile {
 public:
   explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
@@ -64,7 +64,7 @@ private:
   std::string path_;
 };
 
-// Returns 0 or the error number.
+// Writes all bytes. Returns 0 or the error number.
 int write_all(int fd, std::span<const std::byte> bytes) {
   constexpr std::size_t kMostAtOnce = std::size_t(1) << 30;  // Linux writes less than 2 GiB a call
   while (!bytes.empty()) {
@@ -77,8 +77,8 @@ int write_all(int fd, std::span<const std::byte> bytes) {
   return 0;
 }
 
-// Writes to pipes, terminals and devices. It appends, because /dev/stdout may be a regular file
-// that already has content.
+// Writes to a pipe, terminal or device without a temporary file. The file is opened for appending,
+// because /dev/stdout may be a regular file that already has content.
 Result<void> write_directly(const std::string& path, std::span<const std::byte> bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
   if (file.get() < 0) return system_error(path, "cannot be opened for writing", errno);
@@ -89,16 +89,18 @@ Result<void> write_directly(const std::string& path, std::span<const std::byte> 
   return {};
 }
 
-// Resolves symbolic links to the file behind them, so that a link stays a link.
+// Returns the path of the file to which symbolic links lead, so that a link stays a link when that
+// file is replaced.
 std::string behind_links(const std::string& path) {
   const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
                                                          &std::free);
   return real ? std::string(real.get()) : path;
 }
 
-// The temporary file is in the target's own directory, because a rename cannot cross file systems.
-// Its name has a fixed length, so that it also fits where the target's name is long. The process
-// and a counter make it unique, and O_EXCL refuses a name that exists nevertheless.
+// Returns the path of a temporary file. It is in the target's own directory, because a rename
+// cannot cross file systems. Its name has a fixed length, so that it also fits where the target's
+// name is long. The process number and a counter make it unique, and O_EXCL refuses a name that
+// exists nevertheless.
 std::string temporary_beside(const std::string& target) {
   static std::atomic<unsigned> counter{0};
   const std::size_t slash = target.rfind('/');

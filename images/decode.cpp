@@ -15,8 +15,8 @@ Result<Image<Rgba8>> decode_any(std::span<const std::byte> bytes, const DecodeLi
   return fail("", "not a PNG, JPEG, BMP or TGA image", "convert it to PNG");
 }
 
-// Reads the PNG signature, the length and name of the first chunk, then width and height, most
-// significant byte first.
+// Reads the size from the start of a PNG file: its signature, the length and name of the first
+// chunk, then width and height, most significant byte first.
 std::optional<ImageSize> png_size(std::span<const std::byte> bytes) {
   constexpr std::size_t kWidth = 16, kHeight = 20, kEnd = 24;
   if (bytes.size() < kEnd) return std::nullopt;

@@ -19,8 +19,8 @@ struct DecodeLimits {
 
 // Returns the pixels of an image file, as stored: grey becomes r = g = b, a missing alpha becomes
 // 255, and 16 bits a channel are rounded to the nearest 8-bit value. Before anything is allocated
-// in proportion to the header's size, the size is checked against the limits and against the number
-// of bytes that follow (a file too short for the size that it claims is refused).
+// in proportion to the size in the header, this size is checked against the limits and against the
+// number of bytes that follow (a file too short for the size that it claims is refused).
 Result<Image<Rgba8>> decode_image(std::span<const std::byte> bytes,
                                   const DecodeLimits& limits = {});
 
@@ -28,7 +28,7 @@ struct ImageSize {
   std::uint32_t width = 0, height = 0;  // px
 };
 
-// Returns the size that the header of such a file states. Nothing is decoded, and the bytes after
+// Returns the size that the header of an image file states. Nothing is decoded, and the bytes after
 // the header are not read where the size can be found without them.
 std::optional<ImageSize> find_image_size(std::span<const std::byte> bytes);
 

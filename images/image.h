@@ -25,9 +25,9 @@ template <class Pixel>
 struct Image {
   int width = 0;   // px
   int height = 0;  // px
-  // width * height pixels, row by row from the top. The data begin at the start of a cache line,
-  // and so does every row whose width is a multiple of a cache line, so that the rows of a tile can
-  // be written as whole lines.
+  // width * height pixels, row by row from the top. The data begin at the start of a cache line. If
+  // the width is a multiple of a cache line, every row does, so that the rows of a tile can be
+  // written as whole lines.
   CacheAlignedVector<Pixel> pixels;
 
   Image() = default;

@@ -7,8 +7,8 @@
 
 namespace glassbox {
 
-// Refuses sizes of zero, sizes above the limits, and more pixels than `bytes` bytes can hold at
-// `pixels_per_byte`.
+// Refuses a size of zero, a size above the limits, and a size of more pixels than `bytes` bytes can
+// hold with `pixels_per_byte` pixels each.
 Result<void> check_image_size(std::uint64_t width, std::uint64_t height, std::uint64_t bytes,
                               std::uint64_t pixels_per_byte, const DecodeLimits& limits);
 

@@ -17,8 +17,8 @@ namespace {
 
 static_assert(sizeof(Rgba8) == 4 && alignof(Rgba8) == 1, "libpng writes rows of RGBA bytes");
 
-// Deflate spends at least one bit on 129 bytes: a match of 258 bytes in two bits. zlib's
-// documentation gives this ratio.
+// The largest ratio of deflate: it spends at least one bit on 129 bytes, because a match of 258
+// bytes takes at least two bits. zlib's documentation gives this ratio.
 constexpr std::uint64_t kDeflateMaxRatio = 1032;
 
 struct Source {
@@ -33,18 +33,18 @@ void read_bytes(png_structp png, png_bytep target, png_size_t size) {
   source->rest = source->rest.subspan(size);
 }
 
-// libpng reports errors by longjmp to the caller that called setjmp. Between the two there are only
-// libpng's own C frames and read_bytes above: nothing with a destructor.
+// libpng reports errors by longjmp to the caller that called setjmp. The stack frames that this
+// skips are libpng's own C functions and read_bytes above, which have nothing with a destructor.
 [[noreturn]] void on_read_error(png_structp png, png_const_charp message) {
   auto* source = static_cast<Source*>(png_get_error_ptr(png));
   std::strncpy(source->message, message, sizeof source->message - 1);
   png_longjmp(png, 1);
 }
 
-// Most of libpng's warnings are harmless, except those about tRNS: the chunk would be skipped, and
-// the alpha would be lost. A wrong checksum of IEND, the end of the file, is an error in libpng
-// 1.6.39 and a warning in 1.6.48; here it is an error with both, so that every machine refuses the
-// same files.
+// Turns some of libpng's warnings into errors. Most of the warnings are harmless, except those
+// about tRNS: libpng would skip the chunk, and the alpha would be lost. A wrong checksum of IEND,
+// the end of the file, is an error in libpng 1.6.39 and a warning in 1.6.48; here it is an error
+// with both versions, so that every machine refuses the same files.
 void on_read_warning(png_structp png, png_const_charp message) {
   const std::string_view warning = message;
   if (warning.starts_with("tRNS") || warning == "IEND: CRC error") png_error(png, message);
@@ -65,7 +65,7 @@ struct Rows {
   std::size_t bytes_per_row = 0;
 };
 
-// The functions that call libpng return false after an error; the message is in the source.
+// The functions that call libpng return false after an error; the message is then in the Source.
 bool read_header(png_structp png, png_infop info, Header& header) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_read_info(png, info);
@@ -77,13 +77,13 @@ bool read_header(png_structp png, png_infop info, Header& header) {
 
 bool start_rows(png_structp png, png_infop info, Form form, Rows& rows) {
   if (setjmp(png_jmpbuf(png))) return false;
-  png_set_expand(png);  // palettes; 1, 2 and 4 bits; tRNS
+  png_set_expand(png);  // expands palettes, samples of 1, 2 or 4 bits, and tRNS
   if (form == Form::kRgba8) {
-    png_set_scale_16(png);  // to the nearest 8-bit value
+    png_set_scale_16(png);  // each sample becomes the nearest 8-bit value
     png_set_gray_to_rgb(png);
     png_set_add_alpha(png, 255, PNG_FILLER_AFTER);
   } else if (std::endian::native == std::endian::little) {
-    png_set_swap(png);  // 16 bits are big-endian in the file
+    png_set_swap(png);  // 16-bit samples are big-endian in the file
   }
   rows.passes = png_set_interlace_handling(png);
   png_read_update_info(png, info);
@@ -124,15 +124,17 @@ struct Reader {
   }
 };
 
-// Reads everything before the pixels; afterwards the size is within the limits.
+// Reads everything before the pixels, and refuses sizes above the limits.
 Result<Header> start(Reader& reader, Form form, Rows& rows, const DecodeLimits& limits) {
-  if (!reader.info) return fail("", "libpng does not start", "free some memory");
+  if (!reader.info)
+    return fail("", "the PNG library (libpng) does not start",
+                "close other programs to free memory");
   const std::uint64_t bytes = reader.source.rest.size();
   png_set_read_fn(reader.png, &reader.source, read_bytes);
   // Comments, colour profiles, gamma and the like are skipped without being read: samples are taken
   // as stored, and a skipped chunk could be a decompression bomb. libpng still reads tRNS.
   png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-  // check_image_size applies the limits.
+  // libpng's own limits are as large as possible, because check_image_size applies ours.
   png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
 
   Header header;

@@ -1,4 +1,4 @@
-// The PNG reader of decode.h and stored_image.h.
+// Reads PNG files for decode.h and stored_image.h.
 #pragma once
 
 #include <cstddef>

@@ -14,7 +14,8 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-// PNG (third edition) 5.3: length, type, data, and a CRC of type and data.
+// The parts of a chunk are its length, its type, its data, and a CRC of type and data (PNG, third
+// edition, 5.3).
 constexpr std::size_t kSignatureBytes = 8, kLengthBytes = 4, kTypeBytes = 4, kCrcBytes = 4;
 constexpr std::size_t kMaxKeywordBytes = 79;
 
@@ -47,15 +48,15 @@ std::optional<std::string_view> take_keyword(std::string_view& rest) {
   return keyword;
 }
 
-// PNG (third edition) 11.3.3.2: keyword, 0, text.
+// The data of a tEXt chunk are the keyword, 0, and the text (PNG, third edition, 11.3.3.2).
 std::optional<TextEntry> entry_of_text(std::string_view data) {
   const auto keyword = take_keyword(data);
   if (!keyword || !is_text(data)) return std::nullopt;
   return TextEntry{utf8_of_latin1(*keyword), utf8_of_latin1(data)};
 }
 
-// PNG (third edition) 11.3.3.4: keyword, 0, compressed or not, method, language, 0, translated
-// keyword, 0, text.
+// The data of an iTXt chunk are the keyword, 0, whether it is compressed, the method, the language,
+// 0, the translated keyword, 0, and the text (PNG, third edition, 11.3.3.4).
 std::optional<TextEntry> entry_of_itxt(std::string_view data) {
   const auto keyword = take_keyword(data);
   if (!keyword || data.size() < 2 || data[0] != 0) return std::nullopt;

@@ -19,9 +19,9 @@
 namespace glassbox {
 namespace {
 
-// Fixed values, so that the same picture gives the same bytes. Rendered pictures have constant runs
-// and smooth gradients; the filter Up turns the gradients into runs, and a fast level of zlib
-// compresses those.
+// The filter and the level are fixed, so that the same picture gives the same bytes. Rendered
+// pictures have runs of equal pixels and smooth gradients; the filter Up turns the gradients into
+// runs, and a fast level of zlib is enough to compress runs.
 constexpr std::uint8_t kFilterUp = 2;
 constexpr int kCompressionLevel = 2;
 // Rows are compressed in bands of about this many bytes, each independently, so that all available
@@ -48,8 +48,8 @@ void append(png_structp png, png_bytep data, png_size_t size) {
 
 void flush(png_structp) {}
 
-// libpng reports errors by longjmp to write_png. Between the two there are only libpng's own C
-// frames and append above, which has nothing left to destroy when it calls.
+// libpng reports errors by longjmp to write_png. The stack frames that this skips are libpng's own
+// C functions and append above, which has nothing left to destroy when it calls libpng.
 [[noreturn]] void on_write_error(png_structp png, png_const_charp message) {
   auto* sink = static_cast<Sink*>(png_get_error_ptr(png));
   std::strncpy(sink->message, message, sizeof sink->message - 1);
@@ -73,8 +73,8 @@ std::size_t row_bytes(const Layout& layout) {
 
 // ---- the rows, compressed ----
 
-// Returns rows first .. last - 1, each minus the row above it, byte by byte, after a byte that
-// names the filter.
+// Returns rows first .. last - 1 with the filter Up. Each row begins with a byte that names the
+// filter; then come its bytes minus those of the row above it.
 std::vector<std::uint8_t> filtered_rows(const Layout& layout, const PackRow& pack, int first,
                                         int last) {
   const std::size_t bytes = row_bytes(layout);
@@ -92,8 +92,8 @@ std::vector<std::uint8_t> filtered_rows(const Layout& layout, const PackRow& pac
   return filtered;
 }
 
-// A part of a zlib stream: deflate blocks that end at a byte boundary, and the values that the
-// checksum needs.
+// One band's part of the zlib stream: deflate blocks that end at a byte boundary, and the values
+// from which the checksum of all data is computed.
 struct Band {
   std::vector<std::uint8_t> deflated;
   uLong adler = 0;
@@ -113,8 +113,9 @@ public:
   Deflater& operator=(const Deflater&) = delete;
   ~Deflater() { deflateEnd(&z_); }
 
-  // Z_FINISH ends the stream, Z_SYNC_FLUSH ends at a whole byte. The length of the output is not
-  // known in advance, so it is collected in parts.
+  // Compresses the bytes. If `flush` is Z_FINISH, the output ends the stream; if it is
+  // Z_SYNC_FLUSH, the output ends at a whole byte. The length of the output is not known in
+  // advance, so it is collected in parts.
   std::vector<std::uint8_t> deflate_all(std::span<const std::uint8_t> bytes, int flush) {
     z_.next_in = const_cast<Bytef*>(bytes.data());
     z_.avail_in = uInt(bytes.size());
@@ -142,7 +143,7 @@ Band compressed(const std::vector<std::uint8_t>& bytes, bool is_last) {
   return band;
 }
 
-// The whole zlib stream, in pieces.
+// The whole zlib stream, band by band.
 std::vector<Band> compressed_rows(const Layout& layout, const PackRow& pack) {
   const auto rows = int(
       std::clamp<std::size_t>(kBandBytes / (row_bytes(layout) + 1), 1, std::size_t(layout.height)));
@@ -151,8 +152,8 @@ std::vector<Band> compressed_rows(const Layout& layout, const PackRow& pack) {
     const int first = int(i) * rows, last = std::min(first + rows, layout.height);
     bands[i] = compressed(filtered_rows(layout, pack, first, last), last == layout.height);
   });
-  // The zlib header (RFC 1950): deflate with a window of 32 KiB, a fast level. After the blocks
-  // comes the checksum of all data.
+  // The zlib header (RFC 1950) says: deflate with a window of 32 KiB, a fast level. After the
+  // blocks of all bands comes the checksum of all data.
   constexpr std::array<std::uint8_t, 2> kHeader = {0x78, 0x5e};
   std::vector<std::uint8_t>& front = bands.front().deflated;
   front.insert(front.begin(), kHeader.begin(), kHeader.end());
@@ -172,7 +173,7 @@ int colour_type(int channels) {
   return kTypes[channels - 1];
 }
 
-// Returns false after an error; the message is in the sink.
+// Returns false after an error; the message is then in the Sink.
 bool write_png(png_structp png, png_infop info, const Layout& layout,
                const std::vector<Band>& bands, std::vector<png_text>& text) {
   if (setjmp(png_jmpbuf(png))) return false;
@@ -215,23 +216,25 @@ Result<void> check_text(const TextEntry& entry) {
                     keyword.back() != ' ' && keyword.find("  ") == std::string::npos &&
                     std::all_of(keyword.begin(), keyword.end(), is_printable_ascii);
   if (!good) {
-    return fail("PNG keyword \"" + keyword + "\"", "not 1 to 79 printable ASCII characters",
-                "use a short name with single spaces inside");
+    return fail("PNG keyword \"" + keyword + "\"",
+                "is not 1 to 79 printable ASCII characters with single spaces inside",
+                "use a shorter or simpler name");
   }
   if (text.find('\0') != std::string::npos) {
-    return fail("PNG text \"" + keyword + "\"", "has a zero byte in it", "leave it out");
+    return fail("PNG text \"" + keyword + "\"", "contains a zero byte", "remove the zero byte");
   }
   return {};
 }
 
-// Uses tEXt (Latin-1) where the text is ASCII, otherwise iTXt (UTF-8); never compressed.
+// Uses a tEXt chunk (Latin-1) for ASCII text, otherwise an iTXt chunk (UTF-8); it is never
+// compressed.
 png_text png_text_of(const TextEntry& entry) {
   const auto& [keyword, text] = entry;
   const bool ascii = std::all_of(text.begin(), text.end(),
                                  [](char c) { return is_printable_ascii(c) || c == '\n'; });
   png_text result{};
   result.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-  result.key = const_cast<png_charp>(keyword.c_str());  // libpng copies both
+  result.key = const_cast<png_charp>(keyword.c_str());  // libpng copies keyword and text
   result.text = const_cast<png_charp>(text.c_str());
   return result;
 }
@@ -239,7 +242,8 @@ png_text png_text_of(const TextEntry& entry) {
 Result<std::vector<std::byte>> encode_rows(const Layout& layout, const PackRow& pack,
                                            std::span<const TextEntry> text) {
   if (layout.width <= 0 || layout.height <= 0) {
-    return fail("", "an image without pixels cannot be a PNG", "give it a size above zero");
+    return fail("", "an image without pixels cannot be a PNG",
+                "use an image with at least one pixel");
   }
   std::vector<png_text> texts;
   for (const TextEntry& entry : text) {
@@ -247,7 +251,9 @@ Result<std::vector<std::byte>> encode_rows(const Layout& layout, const PackRow& 
     texts.push_back(png_text_of(entry));
   }
   Writer writer;
-  if (!writer.info) return fail("", "libpng does not start", "free some memory");
+  if (!writer.info)
+    return fail("", "the PNG library (libpng) does not start",
+                "close other programs to free memory");
   png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_set_write_fn(writer.png, &writer.sink, append, flush);
   const auto no_encoding = [](const char* why) {
@@ -285,13 +291,14 @@ Result<std::vector<std::byte>> encode_png(const StoredImage& image,
   }
   const std::size_t row = std::size_t(image.width) * std::size_t(image.channels);
   const auto wrong_count = [] {
-    return fail("", "the image does not have as many samples as its size requires",
-                "give all of its samples");
+    return fail("", "the number of samples is not width x height x channels",
+                "give one sample for each channel of each pixel");
   };
   return std::visit(
       [&]<class Sample>(const std::vector<Sample>& samples) -> Result<std::vector<std::byte>> {
         if constexpr (std::is_same_v<Sample, float>) {
-          return fail("", "floats cannot be a PNG", "write them with encode_pfm");
+          return fail("", "an image of floats cannot be a PNG",
+                      "write a PFM (in the library: encode_pfm)");
         } else {
           if (samples.size() != row * std::size_t(image.height)) return wrong_count();
           const auto pack = [&](int y, std::uint8_t* out) {

@@ -28,13 +28,13 @@ std::string size_line(int width, int height) {
   return std::to_string(width) + " " + std::to_string(height) + "\n";
 }
 
-// Copies the floats of a file, which are little-endian if `little` is true.
+// Copies floats from the bytes of a file, which are little-endian if `little` is true.
 void copy_floats(const std::byte* from, bool little, std::byte* to, std::size_t count) {
   if (little == (std::endian::native == std::endian::little)) {
     std::memcpy(to, from, count * sizeof(float));
     return;
   }
-  // Copied as bytes, so that no NaN passes through a register that would change it.
+  // Swapped as bytes, so that no NaN passes through a register that would change it.
   for (std::size_t i = 0; i < count; ++i, from += 4, to += 4) {
     for (int k = 0; k < 4; ++k) to[k] = from[3 - k];
   }
@@ -63,7 +63,8 @@ struct NetpbmHeader {
   std::string magic;        // "P6"
   std::uint64_t width = 0;  // px
   std::uint64_t height = 0;
-  std::string last;      // the largest sample of PPM and PGM, the scale of PFM
+  // The largest sample for PPM and PGM, the scale for PFM.
+  std::string last;
   std::size_t size = 0;  // bytes before the first sample
 };
 
@@ -102,10 +103,11 @@ Result<NetpbmHeader> read_netpbm_header(Bytes bytes, const DecodeLimits& limits)
     return bad_header();
   }
   header.last = word();
-  // Exactly one separator is before the samples, whose bytes may look like white space themselves.
+  // Exactly one separator is before the samples, because the first sample's bytes may look like
+  // white space themselves.
   if (header.last.empty() || !is_space(character())) return bad_header();
   header.size = at + 1;
-  // At least one byte a pixel; sample_bytes_of checks the exact number.
+  // A pixel takes at least one byte; sample_bytes_of checks the exact number.
   const auto fits = check_image_size(header.width, header.height, bytes.size(), 1, limits);
   if (!fits) return tl::unexpected<Error>(fits.error());
   return header;
@@ -118,8 +120,8 @@ Result<const std::byte*> samples_of(const NetpbmHeader& header, Bytes bytes,
   const Bytes rest = bytes.subspan(header.size);
   if (rest.size() >= needed) return rest.data();
   return fail("",
-              "the file is cut off: " + std::to_string(rest.size()) + " of " +
-                  std::to_string(needed) + " bytes of samples",
+              "the file is cut off: its pixels need " + std::to_string(needed) +
+                  " bytes, but it has only " + std::to_string(rest.size()) + " for them",
               "save the image again");
 }
 
@@ -133,8 +135,10 @@ Result<PfmFile> open_pfm(Bytes bytes, const DecodeLimits& limits) {
   const auto header = read_netpbm_header(bytes, limits);
   if (!header) return tl::unexpected<Error>(header.error());
   if (header->magic != "Pf" && header->magic != "PF") {
-    return fail("", "a " + header->magic + " file where Pf or PF is expected",
-                "Pf is PFM with one channel, PF with three");
+    return fail("",
+                "the file begins with " + header->magic +
+                    ", but a PFM file begins with Pf (one channel) or PF (three)",
+                "give a PFM file");
   }
   double scale = 0;
   const char* end = header->last.data() + header->last.size();
@@ -165,8 +169,10 @@ Result<Image<Pixel>> decode_pfm_as(const char* magic, Bytes bytes, const DecodeL
   if (!file) return tl::unexpected<Error>(file.error());
   if (std::size_t(file->channels) * sizeof(float) != sizeof(Pixel)) {
     const std::string other = file->channels == 1 ? "Pf" : "PF";
-    return fail("", "a " + other + " file where " + magic + " is expected",
-                "Pf is PFM with one channel, PF with three");
+    return fail("",
+                "the file begins with " + other + ", but " + magic +
+                    " is needed: Pf is PFM with one channel, PF with three",
+                std::string("give a PFM file that begins with ") + magic);
   }
   Image<Pixel> image(file->width, file->height);
   read_floats(*file, image.pixels.data());
@@ -183,7 +189,9 @@ Result<PnmFile> open_pnm(Bytes bytes, const DecodeLimits& limits) {
   const auto header = read_netpbm_header(bytes, limits);
   if (!header) return tl::unexpected<Error>(header.error());
   if (header->magic != "P5" && header->magic != "P6") {
-    return fail("", "a " + header->magic + " file where P5 or P6 is expected", "convert it to PNG");
+    return fail(
+        "", "the file begins with " + header->magic + ", but only P5 (PGM) and P6 (PPM) are read",
+        "convert the file to PNG");
   }
   std::uint32_t largest = 0;
   const char* end = header->last.data() + header->last.size();
@@ -259,12 +267,14 @@ std::vector<std::byte> encode_pfm(const Image<Rgb32f>& image) {
 Result<std::vector<std::byte>> encode_pfm(const StoredImage& image) {
   const auto* samples = std::get_if<std::vector<float>>(&image.samples);
   if (!samples || (image.channels != 1 && image.channels != 3)) {
-    return fail("", channel_names(image) + " of " + format_name(image) + " cannot be a PFM",
+    return fail("",
+                channel_names(image) + " of " + format_name(image) +
+                    " cannot be a PFM, which has 1 or 3 channels of floats",
                 "write a PNG instead");
   }
   if (samples->size() != image.pixels() * std::size_t(image.channels)) {
-    return fail("", "the image does not have as many samples as its size requires",
-                "give all of its samples");
+    return fail("", "the number of samples is not width x height x channels",
+                "give one sample for each channel of each pixel");
   }
   return encode_floats(image.width, image.height, image.channels, samples->data());
 }

@@ -1,4 +1,4 @@
-// The PPM, PGM and PFM reader of read.h and stored_image.h.
+// Reads PPM, PGM and PFM files for read.h and stored_image.h.
 #pragma once
 
 #include <cstddef>

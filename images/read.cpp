@@ -37,9 +37,9 @@ Result<Image<Rgba8>> decode_bytes(std::span<const std::byte> bytes, const Decode
   return is_pnm(bytes) ? decode_pnm(bytes, limits) : decode_image(bytes, limits);
 }
 
-// The length of the longest file of an image within the limits. The widest pixel is three floats; a
-// sixteenth and one MiB more leave room for headers, filter bytes, text, and the bytes that deflate
-// adds to noise.
+// The length of the longest file that an image within the limits can have. The widest pixel is
+// three floats; a sixteenth more and one MiB leave room for headers, filter bytes, text, and the
+// bytes by which deflate makes noise longer.
 std::uint64_t longest_file(const DecodeLimits& limits) {
   constexpr std::uint64_t kMostPixels = std::uint64_t(1) << 32;  // keeps the product small
   const std::uint64_t samples = std::min(limits.max_pixels, kMostPixels) * sizeof(Rgb32f);
@@ -60,11 +60,12 @@ Result<std::vector<std::byte>> read_file(const std::string& path, std::uint64_t 
                       "check the name and the permissions");
   }
   const auto too_long = [&] {
-    return file_error(path, "has more than " + std::to_string(max_bytes) + " bytes",
-                      "use a smaller file or raise the limit");
+    return file_error(
+        path, "has more than " + std::to_string(max_bytes) + " bytes, the most that is read",
+        "use a smaller file");
   };
   if (S_ISREG(status.st_mode) && std::uint64_t(status.st_size) > max_bytes) return too_long();
-  // Read in growing pieces, because a pipe has no size and a reported size may be wrong.
+  // The file is read in growing parts, because a pipe has no size and a reported size may be wrong.
   std::vector<std::byte> bytes;
   std::size_t piece = S_ISREG(status.st_mode) ? std::size_t(status.st_size) + 1 : 65536;
   for (;;) {

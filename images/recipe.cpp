@@ -31,7 +31,7 @@ bool is_version(std::string_view text) {
          });
 }
 
-// Program arguments cannot contain a zero byte.
+// Whether the text can be a program argument, which cannot contain a zero byte.
 bool is_word(std::string_view text) {
   return text.size() <= kMaxWordBytes && text.find('\0') == std::string_view::npos && is_utf8(text);
 }
@@ -42,7 +42,7 @@ bool is_sound(const Recipe& recipe) {
          std::all_of(recipe.options.begin(), recipe.options.end(), is_word);
 }
 
-// Returns the text with this keyword if there is exactly one.
+// Returns the text with this keyword, or nullptr unless there is exactly one.
 const std::string* find(std::span<const TextEntry> text, std::string_view keyword) {
   const auto has_keyword = [&](const TextEntry& entry) { return entry.first == keyword; };
   const auto found = std::find_if(text.begin(), text.end(), has_keyword);
@@ -52,7 +52,8 @@ const std::string* find(std::span<const TextEntry> text, std::string_view keywor
 
 std::optional<std::vector<std::string>> words_of(const std::string& text) {
   if (text.size() > kMaxTextBytes) return std::nullopt;
-  const Json list = Json::parse(text, nullptr, false);  // is_discarded() if it is not JSON
+  // The result is_discarded() if the text is not JSON.
+  const Json list = Json::parse(text, nullptr, false);
   if (!list.is_array() || list.size() > kMaxWords) return std::nullopt;
   std::vector<std::string> words;
   for (const Json& word : list) {
@@ -62,9 +63,9 @@ std::optional<std::vector<std::string>> words_of(const std::string& text) {
   return words;
 }
 
-// Characters that can make a line look like a different one: C0 and C1 controls, line and paragraph
-// separators, and characters that change the direction of writing (Unicode technical report 36,
-// 2.7).
+// Whether the character can make a line of text look like a different one: C0 and C1 controls, line
+// and paragraph separators, and characters that change the direction of writing (Unicode technical
+// report 36, 2.7).
 bool deceives(char32_t c) {
   return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x061c || c == 0x200e || c == 0x200f ||
          (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
@@ -106,7 +107,7 @@ std::optional<std::string> shell_quoted(std::string_view word) {
   while (const auto character = take_character(rest)) {
     if (deceives(*character)) return std::nullopt;
   }
-  if (!rest.empty()) return std::nullopt;  // not UTF-8
+  if (!rest.empty()) return std::nullopt;  // the rest is not UTF-8
   if (!needs_quotes(word)) return std::string(word);
   std::string quoted = "'";
   for (const char c : word) {

@@ -11,7 +11,7 @@
 
 namespace glassbox {
 
-// The picture was made by `glassbox render SCENE OPTIONS...` of this version.
+// The arguments with which a picture was made: `glassbox render SCENE OPTIONS...` of this version.
 struct Recipe {
   std::string scene;  // as given on the command line
   std::vector<std::string> options;
@@ -20,13 +20,14 @@ struct Recipe {
 };
 
 // Returns the entries "Software" ("glassbox 0.1.0"), "glassbox scene" and "glassbox options" (a
-// JSON array of words). Returns none where a reader could not restore the recipe: for a word that
-// is not UTF-8 or longer than 4096 bytes, for more than 200 options or 64 KiB of them, or for a
-// version with other characters than letters, digits and ".+-".
+// JSON array of words). Returns none if a reader could not restore the recipe: for a word that is
+// not UTF-8 or longer than 4096 bytes, for more than 200 options or more than 64 KiB of options, or
+// for a version with other characters than letters, digits and ".+-".
 std::vector<TextEntry> to_text(const Recipe& recipe);
 
-// Returns nothing where an entry is missing, present twice, or not as to_text writes it. The words
-// come from the file and may be hostile: do not run them; use shell_quoted to display them.
+// Returns the recipe in a picture's text; nothing if an entry is missing, is present twice, or is
+// not as to_text writes it. The words come from the file and may be hostile: do not run them; use
+// shell_quoted to display them.
 std::optional<Recipe> recipe_of(std::span<const TextEntry> text);
 
 // Returns the word in a form that a POSIX shell reads back, in single quotes where it needs them.

@@ -1,5 +1,5 @@
-// Converts between stored bytes and light: the sRGB transfer function (IEC 61966-2-1) by exact
-// tables, and plain bytes.
+// Converts between stored bytes and light, either by the sRGB transfer function (IEC 61966-2-1),
+// with exact tables, or as plain bytes, byte / 255.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ inline float decode_srgb(std::uint8_t byte) {
 
 namespace srgb_detail {
 
-// Floats are sorted into buckets by their exponent and first 7 bits of mantissa. No bucket holds
-// more than one threshold (67 codes in the densest octave, [1/2, 1), spread over 128 buckets with
-// at most 0.66 each), so the code of a bucket's lowest float and one comparison give the result.
-// Below 2^-13 the code is 0.
+// Floats are sorted into buckets by their exponent and the first 7 bits of their mantissa. No
+// bucket contains more than one threshold between two codes (67 codes in the densest octave, [1/2,
+// 1), spread over 128 buckets, so that there are at most 0.66 in each), so the code of a bucket's
+// lowest float and one comparison give the result. Below 2^-13 the code is 0.
 inline constexpr int kBucketShift = 23 - 7;
 inline constexpr std::uint32_t kFirstBucket =
     std::bit_cast<std::uint32_t>(0x1p-13f) >> kBucketShift;
@@ -55,9 +55,9 @@ inline float decode_unorm8(std::uint8_t byte) {
   return float(byte) / 255.0f;
 }
 
-// floor(255 value + 1/2), exactly: 255 value has 32 bits, so the double product is exact, and so is
-// the sum wherever it could reach the next integer. Values below 0 and NaN give 0, values above 1
-// give 255.
+// floor(255 value + 1/2), exactly: 255 value has 32 bits, so the product is exact in double, and so
+// is the sum wherever it could reach the next integer. Values below 0 and NaN give 0, values above
+// 1 give 255.
 inline std::uint8_t encode_unorm8(float value) {
   if (!(value > 0.0f)) return 0;
   if (value >= 1.0f) return 255;

@@ -21,7 +21,7 @@ tl::unexpected<Error> cut_off(const char* format) {
 // Checks the Huffman tables of one segment. stb writes past the end of its own arrays where a table
 // has more than 256 codes (github.com/nothings/stb, issue 1289).
 bool has_sound_tables(Bytes segment) {
-  // The kind and number of a table and its 16 counts; and the largest sum of the counts.
+  // A table has a head (a byte with its kind and number, then 16 counts) and at most 256 codes.
   constexpr std::size_t kHeadBytes = 17, kMostCodes = 256;
   while (!segment.empty()) {
     if (segment.size() < kHeadBytes) return false;
@@ -33,8 +33,8 @@ bool has_sound_tables(Bytes segment) {
   return true;
 }
 
-// Returns the number of bytes before the marker that ends the coded data of a scan. FF 00 (an
-// escaped FF) and restart markers do not end it.
+// Returns the number of bytes before the marker that ends the coded data of a scan. FF 00 (which
+// encodes a data byte FF) and restart markers do not end the data.
 std::size_t coded_bytes(Bytes bytes) {
   for (std::size_t i = 0; i + 1 < bytes.size(); ++i) {
     const auto next = unsigned(bytes[i + 1]);
@@ -44,7 +44,7 @@ std::size_t coded_bytes(Bytes bytes) {
   return bytes.size();
 }
 
-// Whether the pixels of 1, 4 or 8 bits all choose one of the first `colours` colours.
+// Whether all pixels, of 1, 4 or 8 bits each, are below `colours`, the size of the palette.
 bool chooses_at_most(Bytes rows, std::uint64_t row_bytes, std::uint64_t width, unsigned bits,
                      std::int64_t colours) {
   if (colours >= std::int64_t(1) << bits) return true;
@@ -74,7 +74,7 @@ std::uint64_t packed_bytes(Bytes packets, std::uint64_t pixels, std::uint64_t pi
 }  // namespace
 
 Result<void> check_jpeg(Bytes bytes) {
-  // An encoder writes about ten scans; each one costs a pass over the image.
+  // An encoder writes about ten scans; each scan costs stb a pass over the image.
   constexpr int kMaxScans = 500;
   const auto broken = [](const std::string& cause) {
     return fail("", "JPEG with " + cause, "save the image again");
@@ -91,16 +91,18 @@ Result<void> check_jpeg(Bytes bytes) {
     const auto marker = unsigned(rest[1]);
     constexpr unsigned kEnd = 0xd9, kScan = 0xda, kTables = 0xc4;
     if (marker == kEnd) return {};
-    // Markers without a length, restart markers in the wrong place: stb refuses them too.
+    // These are markers without a length and restart markers in the wrong place, which stb refuses,
+    // too.
     const bool has_length = marker >= 0xc0 && marker != 0xff && !(marker >= 0xd0 && marker <= 0xd8);
-    if (!has_length) return broken("a marker that does not belong there");
+    if (!has_length) return broken("a marker in the wrong place");
     if (rest.size() < 4) return cut_off("JPEG");
     const std::size_t length = std::size_t(rest[2]) << 8 | std::size_t(rest[3]);
-    if (length < 2) return broken("a segment shorter than its length field");
+    if (length < 2) return broken("a segment of fewer bytes than the number that says its length");
     if (rest.size() < 2 + length) return cut_off("JPEG");
     const Bytes segment = rest.subspan(4, length - 2);
     rest = rest.subspan(2 + length);
-    if (marker == kTables && !has_sound_tables(segment)) return broken("a bad Huffman table");
+    if (marker == kTables && !has_sound_tables(segment))
+      return broken("a Huffman table that is not valid");
     if (marker == kScan) {
       if (++scans > kMaxScans) return broken("more than " + std::to_string(kMaxScans) + " scans");
       rest = rest.subspan(coded_bytes(rest));
@@ -118,12 +120,14 @@ Result<void> check_bmp(Bytes bytes, std::uint64_t width, std::uint64_t height) {
   const std::uint64_t pixels_at = number_at(bytes, 10, 4);
   if (pixels_at + row_bytes * height > bytes.size()) return cut_off("BMP");
   if (bits == 1 || bits == 4 || bits == 8) {
-    // Counted as stb does; for an OS/2 palette it loses the last four colours.
+    // The palette's size is computed as stb does it; for an OS/2 palette stb loses the last four
+    // colours.
     const std::int64_t palette_bytes =
         std::int64_t(pixels_at) - std::int64_t(kFileHeaderBytes + (os2 ? 24 : info_bytes));
     const Bytes rows = bytes.subspan(pixels_at, row_bytes * height);
     if (!chooses_at_most(rows, row_bytes, width, unsigned(bits), palette_bytes / (os2 ? 3 : 4))) {
-      return fail("", "BMP with a pixel behind the end of its palette", "convert it to PNG");
+      return fail("", "BMP with a pixel that names a colour beyond the end of the palette",
+                  "convert it to PNG");
     }
   }
   return {};
@@ -137,8 +141,8 @@ Result<void> check_tga(Bytes bytes, std::uint64_t width, std::uint64_t height) {
   const std::uint64_t pixel_bytes = (number_at(bytes, 16, 1) + 7) / 8;
   const std::uint64_t palette_bytes =
       has_palette ? number_at(bytes, 5, 2) * ((number_at(bytes, 7, 1) + 7) / 8) : 0;
-  // stb treats the number of the palette's first entry as bytes to skip, and takes every row to run
-  // from left to right.
+  // stb takes the number of the palette's first entry for a number of bytes to skip, and it reads
+  // every row from left to right.
   const bool shifted = has_palette && number_at(bytes, 3, 2) != 0;
   const bool other_order = (number_at(bytes, 17, 1) & 0xd0) != 0;
   if (shifted || other_order) {

@@ -1,5 +1,6 @@
-// Checks that stb_image does not make before it reads. Each refuses files that stb_image would read
-// wrongly, or that would make it access memory that is not its own.
+// Checks that stb_image does not make itself, to be called before it reads a file. Each check
+// refuses files that stb_image would read wrongly, or that would make it access memory that is not
+// its own.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +11,18 @@
 
 namespace glassbox {
 
-// Reads the segments in the same way as stb. Every Huffman table must fit into its array, and the
-// last marker must be present: stb fills missing data with grey.
+// Checks the segments of a JPEG, which it reads in the same way as stb. Every Huffman table must
+// fit into its array, and the last marker must be present, because stb fills missing data with
+// grey.
 Result<void> check_jpeg(std::span<const std::byte> bytes);
 
-// Checks rows without compression (stb reads no other), padded to 4 bytes. No pixel may choose a
-// colour beyond the end of the palette, which stb would read from uninitialised memory.
+// Checks a BMP: its rows must be uncompressed (stb reads no other), padded to 4 bytes, and
+// complete. No pixel may choose a colour beyond the end of the palette, which stb would read from
+// uninitialised memory.
 Result<void> check_bmp(std::span<const std::byte> bytes, std::uint64_t width, std::uint64_t height);
 
-// Checks for a header of 18 bytes, an identifier, a palette, and all pixels: stb fills missing
-// pixels with zeros.
+// Checks a TGA: it must have a header of 18 bytes, an identifier, a palette, and all pixels,
+// because stb fills missing pixels with zeros.
 Result<void> check_tga(std::span<const std::byte> bytes, std::uint64_t width, std::uint64_t height);
 
 }  // namespace glassbox

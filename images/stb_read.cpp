@@ -12,8 +12,8 @@
 
 // Our own copy of stb_image, with only the readers that are used and with memory that starts as
 // zeros. Otherwise the parts that a broken JPEG leaves out would hold old memory, which differs
-// from run to run. Broken JPEGs also fail its assertions, without harm, and make sums overflow (so
-// -fwrapv, in CMakeLists.txt).
+// from run to run. Broken JPEGs also fail stb's assertions, without harm, so these are switched
+// off, and make sums overflow, so CMakeLists.txt sets -fwrapv.
 #define STBI_ASSERT(condition)
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -34,7 +34,7 @@ using Bytes = std::span<const std::byte>;
 
 enum class Kind { kJpeg, kBmp, kTga };
 
-// stb would also take FF FF D8, which no TGA starts with, for a JPEG.
+// stb would also take a file that begins with FF FF D8 for a JPEG; no TGA begins so either.
 std::optional<Kind> kind_of(Bytes bytes) {
   if (bytes.size() < 2 || bytes.size() > std::size_t(std::numeric_limits<int>::max())) return {};
   const auto first = unsigned(bytes[0]), second = unsigned(bytes[1]);
@@ -64,7 +64,8 @@ Result<Pixels> read_size(Bytes bytes) {
   if (!known || pixels.width < 0 || pixels.height == std::numeric_limits<int>::min()) {
     return not_valid("");
   }
-  pixels.height = std::abs(pixels.height);  // BMP: negative where the top row comes first
+  // The height of a BMP is negative if its top row comes first.
+  pixels.height = std::abs(pixels.height);
   return pixels;
 }
 
@@ -77,9 +78,10 @@ Result<Pixels> check(Kind kind, Bytes bytes, const DecodeLimits& limits) {
   auto pixels = read_size(bytes);
   if (!pixels) return pixels;
   const auto width = std::uint64_t(pixels->width), height = std::uint64_t(pixels->height);
-  // A JPEG spends at least one bit on each 8 x 8 block of each component, one of which has at least
-  // a quarter of the image's resolution along each axis: 512 * 4 pixels a byte. BMP and TGA are
-  // checked exactly below (a packet of TGA holds at most 128 pixels).
+  // A JPEG spends at least one bit on each 8 x 8 block of each component. One component has the
+  // image's full resolution along one axis and at least a quarter of it along the other. So a byte
+  // encodes at most 8 * 64 * 4 = 2048 pixels. BMP and TGA are checked exactly below (a packet of
+  // TGA holds at most 128 pixels).
   Result<void> sound = check_image_size(width, height, bytes.size(), 2048, limits);
   if (sound && kind == Kind::kBmp) sound = check_bmp(bytes, width, height);
   if (sound && kind == Kind::kTga) sound = check_tga(bytes, width, height);
@@ -87,7 +89,7 @@ Result<Pixels> check(Kind kind, Bytes bytes, const DecodeLimits& limits) {
   return pixels;
 }
 
-// Decodes with `channels` channels a pixel, or with those of the file where `channels` is 0.
+// Decodes with `channels` channels a pixel; if `channels` is 0, with as many as the file has.
 Result<Pixels> decode(Bytes bytes, int channels, const DecodeLimits& limits) {
   const auto kind = kind_of(bytes);
   if (!kind) return not_valid("");

@@ -1,4 +1,4 @@
-// The JPEG, BMP and TGA reader of decode.h and stored_image.h.
+// Reads JPEG, BMP and TGA files for decode.h and stored_image.h.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace glassbox {
 
-// Whether the bytes start like a JPEG, BMP or TGA file. TGA has no signature, only a plausible
-// header.
+// Whether the bytes start like a JPEG, BMP or TGA file. TGA has no signature, so any plausible
+// header is accepted.
 bool is_stb_format(std::span<const std::byte> bytes);
 
 // Decodes a file for which is_stb_format is true.

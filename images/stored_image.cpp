@@ -40,7 +40,8 @@ Result<StoredHeader> header_of_any(std::span<const std::byte> bytes, const Decod
 template <class Pixel>
 std::vector<float> floats_of(const Image<Pixel>& image) {
   std::vector<float> samples(image.pixels.size() * sizeof(Pixel) / sizeof(float));
-  if (!samples.empty()) {  // copied as bytes, so that no NaN changes
+  // The samples are copied as bytes, so that no NaN changes.
+  if (!samples.empty()) {
     std::memcpy(samples.data(), image.pixels.data(), samples.size() * sizeof(float));
   }
   return samples;

@@ -5,7 +5,8 @@
 namespace glassbox {
 namespace {
 
-// The extension in lower case: the same for ".PNG" and ".png"; empty where the file name has none.
+// The extension in lower case, so that ".PNG" and ".png" are equal; empty where the file name has
+// none.
 std::string lower_case_extension(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   const std::size_t slash = path.rfind('/');

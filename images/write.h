@@ -33,7 +33,7 @@ std::vector<std::byte> encode_ppm(const Image<Rgba8>& image);
 // bottom-up as the format requires.
 std::vector<std::byte> encode_pfm(const Image<float>& image);
 std::vector<std::byte> encode_pfm(const Image<Rgb32f>& image);
-// An error unless the samples are floats of one channel or three.
+// Refuses samples that are not floats of one or three channels.
 Result<std::vector<std::byte>> encode_pfm(const StoredImage& image);
 
 // Encodes in the format of the extension of `path` (.png, .ppm) and writes the file, completely or
@@ -41,7 +41,7 @@ Result<std::vector<std::byte>> encode_pfm(const StoredImage& image);
 Result<void> write_image(const std::string& path, const Image<Rgba8>& image,
                          std::span<const TextEntry> text = {});
 
-// Whether write_image supports the extension: useful to check before a long run.
+// Returns an error unless write_image supports the extension: useful to check before a long run.
 Result<void> check_image_path(const std::string& path);
 
 }  // namespace glassbox

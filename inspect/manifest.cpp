@@ -74,7 +74,7 @@ Json view_json(const View& view) {
           {"far", finite_or_inf(view.far)}};
 }
 
-// The nodes from the root to the node itself, whose matrices have the product world_from_node.
+// The nodes from the root to the node itself. The product of their matrices is world_from_node.
 Json nodes_json(const Scene& scene, std::uint32_t node) {
   std::vector<Json> path;
   for (std::uint32_t n = node; n != kNone; n = scene.nodes[n].parent) {

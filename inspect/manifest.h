@@ -1,5 +1,5 @@
-// The manifest of an inspector page: what its script knows of the run besides the columns, namely
-// matrices, the parameters they are made from, and counts.
+// The manifest of an inspector page: what the page's script knows of the run besides the columns,
+// namely matrices, the parameters they are made from, and counts.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

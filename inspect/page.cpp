@@ -29,8 +29,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Above this number of fragments the page leaves the full records out. So many take about 6 MB of
-// the page.
+// With more fragments than this, the page leaves the full records of fragments out. So many records
+// take about 6 MB of the page.
 constexpr std::uint64_t kMaxRecords = 30'000;
 
 Json entries_json(const ColumnPack& pack) {
@@ -43,7 +43,7 @@ Json entries_json(const ColumnPack& pack) {
 
 // ---- columns ----
 
-// The numbers that a record adds to a column: one, or several in sequence.
+// The numbers that one record adds to a column: one number, or several in sequence.
 template <Arithmetic T>
 std::array<T, 1> numbers_of(T number) {
   return {number};
@@ -71,7 +71,8 @@ void add_column(ColumnPack& pack, const char* name, const std::vector<Record>& r
   pack.add(name, column);
 }
 
-// The parts (corners, vertices or pieces) of all records in sequence.
+// The parts of all records in sequence, such as the corners of all triangles or the vertices of all
+// clipped polygons.
 template <class Record, class PartsOf>
 auto parts_of(const std::vector<Record>& records, PartsOf parts) {
   using Parts = std::remove_cvref_t<std::invoke_result_t<PartsOf, const Record&>>;
@@ -87,7 +88,7 @@ auto parts_of(const std::vector<Record>& records, PartsOf parts) {
 // The positions of each mesh that the recorded triangles use.
 struct UsedPositions {
   std::vector<std::uint32_t> index;  // index into Mesh::positions
-  // the reverse: for an index into Mesh::positions, its place in `index`
+  // the inverse of `index`: for an index into Mesh::positions, the place in `index`
   std::vector<std::uint32_t> place;
 };
 
@@ -180,7 +181,8 @@ void add_fragment_records(const Trace& trace, ColumnPack& pack) {
   };
   add("record.edges", [](const TracedFragment& f) {
     const auto& [a, b, c] = f.coverage.edges;
-    return glm::dvec3(double(a), double(b), double(c));  // exact: they are below 2^52
+    // exact, because they are integers below 2^52
+    return glm::dvec3(double(a), double(b), double(c));
   });
   add("record.lambda", [](const TracedFragment& f) { return f.fragment.lambda; });
   add("record.weights", [](const TracedFragment& f) { return f.fragment.weights; });
@@ -261,7 +263,7 @@ Result<std::string> picture_text(const Image<Rgba8>& image) {
                      std::span(&all, 1));
 }
 
-// The picture with normals in place of colours.
+// The scene drawn with normals in place of colours.
 Image<Rgba8> normals_of(const Scene& scene, const View& view, RenderSettings settings) {
   settings.show = Show::kNormal;
   settings.background = {0, 0, 0, 0};

@@ -21,9 +21,10 @@ struct InspectOptions {
   std::vector<std::string> words;  // the picture options that the user gave
   std::string program;             // "glassbox 0.1.0"
   std::string command;             // the command line that made the page
-  // selected when the page opens; all records of its fragments are included
-  std::optional<PixelAt> pixel;
-  // If set, the page has only what reaches into this rectangle, with all records of its fragments.
+  // the pixel that is selected when the page opens; all records of its fragments are included
+  std::optional<PixelPosition> pixel;
+  // If set, the page has only triangles and fragments that reach into this rectangle, with all
+  // records of these fragments.
   std::optional<PixelRect> rectangle;
   // 32 bits, because CLI11 would accept a negative number for a 64-bit type and wrap it around.
   std::uint32_t max_triangles = 1'000'000;
@@ -31,11 +32,12 @@ struct InspectOptions {
 
   // A student's functions that take part in the run (glassbox lab render); null: none.
   Observer* stages = nullptr;
-  std::string student;  // JSON of drawing_report.h: their records; empty: nobody's
+  // JSON of drawing_report.h on the student's functions; empty without a student
+  std::string student;
   const Image<Rgba8>* reference = nullptr;  // the picture without the student's functions
-  // Set if the student's functions draw a picture of their own, other than the run's. `made` is
-  // that picture, `reference` then is what it is compared with, and `truth` is the scene itself,
-  // drawn by the pipeline from the same place.
+  // Set if the student's functions draw a picture that is not the run's picture. `made` is the
+  // picture that they draw, `reference` then is the picture it is compared with, and `truth` is the
+  // scene drawn by the pipeline with the same camera.
   const Image<Rgba8>* made = nullptr;
   const Image<Rgba8>* truth = nullptr;
 };

@@ -22,7 +22,8 @@ bool invert(GivenMatrix& matrix) {
   return true;
 }
 
-// Replaces t in [A | t] by A t, or by A^-1 t if `back`.
+// Replaces the last column t of an affine matrix with the upper 3x3 part A by A t, or by A^-1 t if
+// `back`.
 bool exchange_factors(GivenMatrix& matrix, bool back) {
   const auto inverse = affine::inverse(matrix.m);
   if (!inverse || !matrix.given) return false;
@@ -38,7 +39,7 @@ bool transpose(GivenMatrix& matrix) {
 
 using MeantAngle = std::optional<int> ProjectionFacts::*;
 
-// Scales x and y to those of the angle that was meant.
+// Scales the first two diagonal entries so that they fit the angle of view that was meant.
 bool set_angle(GivenMatrix& projection, MeantAngle meant) {
   const ProjectionFacts facts = projection_facts(projection);
   const std::optional<int>& degrees = facts.*meant;
@@ -62,8 +63,8 @@ bool negate_row(GivenMatrix& matrix, int row) {
 const std::array kConventionMistakes{
     ConventionMistake{
         SetupChange::kTransposeAll, "transpose-all", "transpose every matrix",
-        "columns were read as rows, or the matrices are for row vectors, p M: read them in the "
-        "other --order",
+        "columns were read as rows, or the matrices are for row vectors (point * matrix): read "
+        "them in the other --order",
         [](MatrixSetup& s) {
           const bool model = transpose(s.model), view = transpose(s.view);
           return transpose(s.projection) || model || view;
@@ -92,7 +93,8 @@ const std::array kConventionMistakes{
                       [](MatrixSetup& s) {
                         return set_angle(s.projection, &ProjectionFacts::radians_taken_as_degrees);
                       }},
-    ConventionMistake{SetupChange::kClearCorner, "clear-corner", "clear [3][3] of the projection",
+    ConventionMistake{SetupChange::kClearCorner, "clear-corner",
+                      "set [3][3] of the projection to 0",
                       "start the projection from zeros, not from the identity",
                       [](MatrixSetup& s) {
                         if (!has_corner_left_over(s.projection)) return false;
@@ -122,10 +124,11 @@ const std::array kConventionMistakes{
     ConventionMistake{SetupChange::kInvertView, "invert-view", "invert the view matrix",
                       "the matrix is the camera's pose, world from eye; a view is its inverse",
                       [](MatrixSetup& s) { return invert(s.view); }},
-    ConventionMistake{SetupChange::kViewFactors, "view-factors",
-                      "exchange the view's factors: R T instead of T R",
-                      "first translate the eye to the origin, then rotate: R * T(-eye)",
-                      [](MatrixSetup& s) { return exchange_factors(s.view, false); }},
+    ConventionMistake{
+        SetupChange::kViewFactors, "view-factors",
+        "exchange the view's factors: rotation * translation, not the reverse",
+        "first translate the eye to the origin, then rotate: rotation * translation(-eye)",
+        [](MatrixSetup& s) { return exchange_factors(s.view, false); }},
     ConventionMistake{SetupChange::kViewOffsetSign, "view-offset-sign",
                       "negate the view's translation",
                       "the world moves by minus the eye's position",
@@ -134,20 +137,20 @@ const std::array kConventionMistakes{
                         return s.view.given;
                       }},
     ConventionMistake{SetupChange::kViewFactorsBack, "view-factors-back",
-                      "exchange the view's factors: T R instead of R T",
-                      "first rotate, then move back: T * R, for a camera that circles the origin",
+                      "exchange the view's factors: translation * rotation, not the reverse",
+                      "first rotate, then move back, for a camera that circles the origin",
                       [](MatrixSetup& s) { return exchange_factors(s.view, true); }},
     ConventionMistake{
         SetupChange::kModelFactors, "model-factors",
-        "exchange the model's factors: R T instead of T R",
-        "the matrix next to the vertex acts first; T R rotates about the object's own origin "
-        "(C-19)",
+        "exchange the model's factors: rotation * translation, not the reverse",
+        "the matrix next to the vertex acts first; translation * rotation rotates about the "
+        "object's own origin (C-19)",
         [](MatrixSetup& s) { return exchange_factors(s.model, false); }},
     ConventionMistake{
         SetupChange::kModelFactorsBack, "model-factors-back",
-        "exchange the model's factors: T R instead of R T",
-        "the matrix next to the vertex acts first; T R rotates about the object's own origin "
-        "(C-19)",
+        "exchange the model's factors: translation * rotation, not the reverse",
+        "the matrix next to the vertex acts first; translation * rotation rotates about the "
+        "object's own origin (C-19)",
         [](MatrixSetup& s) { return exchange_factors(s.model, true); }},
     ConventionMistake{SetupChange::kInvertModel, "invert-model", "invert the model matrix",
                       "the given matrix is object from world, not world from object",

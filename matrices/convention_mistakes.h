@@ -1,5 +1,5 @@
-// Mistakes of convention that make points invisible. Each is given as the change of a setup that
-// undoes it.
+// Mistakes of convention that make points invisible. Each is described by the change that undoes
+// it.
 #pragma once
 
 #include <span>
@@ -16,19 +16,20 @@ enum class SetupChange {
   kExchangeViewProjection,
   kExchangeModelView,
   kDegrees,      // reads the angle of view as degrees, if it was taken for radians
-  kRadians,      // the other way round
-  kClearCorner,  // [3][3] = 0
+  kRadians,      // reads the angle of view as radians, if it was taken for degrees
+  kClearCorner,  // sets [3][3] of the projection to 0
   kDepthRange,   // clips at -w <= z instead of 0 <= z, or the other way round
   kEyeHand,      // negates the eye's z, between view and projection
   kTurnRound,    // negates the eye's x and z, in the view
   kInvertView,
-  kViewFactors,       // changes T R to R T
+  kViewFactors,       // changes T R to R T, with a translation T and a rotation R
   kViewFactorsBack,   // changes R T to T R
   kViewOffsetSign,    // negates the eye's position
-  kModelFactors,      // changes T R to R T
-  kModelFactorsBack,  // changes R T to T R
+  kModelFactors,      // changes T R to R T, as for the view
+  kModelFactorsBack,  // changes R T to T R, as for the view
   kInvertModel,
-  kFlipX,  // the last two only if the user gave the expected pixel
+  // kFlipX and kFlipY are tried only if the user gave the expected pixel.
+  kFlipX,
   kFlipY,
 };
 
@@ -37,12 +38,12 @@ struct ConventionMistake {
   const char* id;      // does not change between versions: "eye-hand"
   const char* what;    // "transpose every matrix"
   const char* remedy;  // what to look for in the user's program
-  // Undoes the mistake. Returns false if that makes no sense, for example if the matrix was not
-  // given.
+  // Undoes the mistake in `setup`. Returns false if the setup cannot contain it, for example
+  // because the matrix was not given.
   bool (*undo)(MatrixSetup& setup);
 };
 
-// All mistakes, the commonest first. Reports keep this order if nothing else decides.
+// All mistakes, the commonest first. This is also the order of reports if all else is equal.
 std::span<const ConventionMistake> convention_mistakes();
 
 }  // namespace glassbox

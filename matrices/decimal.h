@@ -1,4 +1,4 @@
-// Round numbers: the decimal numbers that a person has probably typed.
+// Round numbers: the decimal numbers that a person probably typed.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -15,14 +15,14 @@ struct Decimal {
 };
 Decimal simplest_decimal(double value, double uncertainty);
 
-// The same number as text with at most six digits.
+// The simplest decimal within `uncertainty` of the value, as text with at most six digits.
 std::string rounded_text(double value, double uncertainty);
 
 // The value with at most `digits` significant digits, without trailing zeros: "0.1", "1.5e-09",
 // "inf".
 std::string short_number(double value, int digits = 6);
-// Three coordinates: "(1, 2, 3)". One that is too small to be visible in the digits of the largest
-// is shown as 0.
+// Three coordinates as "(1, 2, 3)". A coordinate that is too small to be visible in the digits of
+// the largest one is shown as 0.
 std::string short_vector_text(const glm::dvec3& v, int digits = 6);
 
 }  // namespace glassbox

@@ -31,7 +31,7 @@ bool roles_are_exchanged(const MatrixSetup& setup, Findings& found) {
   return true;
 }
 
-// The check that model and view share: whether the matrix is affine.
+// Checks whether a model or view matrix is affine.
 bool check_affine(const char* name, const MatrixFacts& facts, const GivenMatrix& matrix,
                   Findings& found) {
   if (facts.affine) return true;
@@ -62,8 +62,9 @@ bool check_affine(const char* name, const MatrixFacts& facts, const GivenMatrix&
   return false;
 }
 
-// A look-at camera has a horizontal right axis. If this holds only for the inverse, and the
-// position is rounder for it too, the matrix is probably the camera's pose.
+// Checks whether the matrix given as the view could be the camera's pose, the inverse of a view. A
+// look-at camera has a horizontal right axis. If this holds only for the inverse of the matrix, and
+// the camera's position is also rounder with the inverse, the matrix is probably the pose.
 void check_pose(const GivenMatrix& view, Findings& found) {
   const auto inverse = affine::inverse(view.m);
   const auto eye = eyepoint_of(view);
@@ -117,7 +118,7 @@ void check_model(const MatrixSetup& setup, Findings& found) {
     found.hint("scale-after-rotation", "model",
                "its rows are perpendicular and its columns are not: a scale along fixed axes after "
                "a rotation, which shears the object",
-               "scale first: T * R * S, with S next to the vertex");
+               "scale first: translation * rotation * scale, with the scale next to the vertex");
   }
 }
 

@@ -1,6 +1,6 @@
 // Finds what is wrong with three matrices that are given as model, view and projection: each on its
-// own, and together. A finding is an alarm only if no correct set of matrices for the dialect looks
-// like this.
+// own, and all together. A finding is an alarm only if no correct set of matrices for the dialect
+// (graphics API) looks like this.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace glassbox {
 
-// kNote: worth knowing. kHint: legal, but often a slip. kAlarm: contradicts what the matrix is
-// given as.
+// kNote: worth knowing. kHint: legal, but often a mistake. kAlarm: cannot be correct for the
+// purpose (model, view or projection) for which the matrix was given.
 enum class Severity { kNote, kHint, kAlarm };
 
 struct Finding {
@@ -40,7 +40,7 @@ private:
 
 std::vector<Finding> check_matrices(const MatrixSetup& setup);
 
-// The checks of the single matrices, whose entries must be finite.
+// The checks of each matrix on its own. Its entries must be finite.
 void check_model(const MatrixSetup& setup, Findings& found);
 void check_view(const MatrixSetup& setup, Findings& found);
 void check_projection(const MatrixSetup& setup, Findings& found);

@@ -18,8 +18,8 @@ bool is_small(double x, double size) {
   return std::abs(x) <= kSmall * size;
 }
 
-// Whether the row is 0 0 0 1. It is compared with 1 and not with the other rows, because w, which
-// should be 1, multiplies everything.
+// Whether the row is 0 0 0 1. The tolerance is relative to 1, not to the size of the other rows,
+// because all coordinates are divided by w, which should be 1.
 bool is_affine_row(const glm::dvec4& row) {
   return is_small(row.x, 1) && is_small(row.y, 1) && is_small(row.z, 1) && is_small(row.w - 1, 1);
 }
@@ -138,14 +138,14 @@ MatrixFacts matrix_facts(const glm::dmat4& m) {
 }
 
 int rank_of(const glm::dmat4& m) {
-  // For each entry, `size` is the sum of the magnitudes that were added up in it. Its rounding
-  // error is relative to that.
+  // For each entry, `size` is the sum of the magnitudes that were added up in it. The entry's
+  // rounding error is relative to this sum.
   glm::dmat4 a = m, size;
   for (int column = 0; column < 4; ++column) size[column] = glm::abs(m[column]);
   bool row_used[4] = {}, column_used[4] = {};
   for (int rank = 0; rank < 4; ++rank) {
-    // Chooses the pivot that is largest relative to its rounding error, so that rows of small
-    // numbers, such as those from a near plane close to the eye, are treated like others.
+    // Chooses the pivot that is largest relative to its rounding error, so that a row of small
+    // numbers, such as that of a near plane close to the eye, does not seem to be zero.
     int row = -1, column = -1;
     double best = 8 * gamma<float>(4);
     for (int c = 0; c < 4; ++c) {
@@ -181,8 +181,8 @@ std::optional<Eyepoint> eyepoint_of(const GivenMatrix& view) {
   eye.right = {m[0][0], m[1][0], m[2][0]};
   eye.up = {m[0][1], m[1][1], m[2][1]};
   eye.back = {m[0][2], m[1][2], m[2][2]};
-  // The position e solves A e + t = 0. Errors dA and dt of the entries move it by at most |A^-1|
-  // (dA |e| + dt).
+  // The eye's position e solves A e + t = 0, where A is the upper 3x3 part and t the last column.
+  // Errors dA and dt of the entries move e by at most |A^-1| (dA |e| + dt).
   const glm::dvec3 e = glm::abs(eye.position);
   glm::dvec3 residual(0);
   for (int row = 0; row < 3; ++row) {

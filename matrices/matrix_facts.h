@@ -2,8 +2,8 @@
 //
 // The numbers may come from a text with few digits, or from many products in float, so no property
 // is required to hold exactly. Entries that are smaller than kSmall times the largest of their row
-// count as zero. Axes within kRigidTolerance (view.h) of perpendicular unit vectors count as a
-// rotation; the deviation is reported.
+// count as zero. Axes count as a rotation if they differ from perpendicular unit vectors by at most
+// kRigidTolerance (view.h); the deviation is reported.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -15,19 +15,19 @@
 
 namespace glassbox {
 
-// Entries below this fraction of the largest in their row are taken for rounding errors. The limit
-// keeps four decimals, fewer than float's 7 digits, and is smaller than any rotation or scale that
-// somebody intends.
+// Entries below this fraction of the largest one in their row are taken for rounding errors. It is
+// smaller than 0.0001, the smallest number in a text with four decimals, and than any rotation or
+// scale that somebody intends, but larger than the rounding errors of float (7 digits).
 inline constexpr double kSmall = 0x1p-16;
 
 inline double entry_at(const glm::dmat4& m, int row, int column) {
   return m[column][row];
 }
-// Whether an entry is small compared with the largest of its row.
+// Whether an entry is so small compared with the largest one of its row that it counts as zero.
 bool is_small(const glm::dmat4& m, int row, int column);
 
-// A matrix as the user's program printed it: columns[column][row], for any order of the text,
-// with the uncertainty of each entry (half a unit of its last digit).
+// A matrix as the user's program printed it, as columns[column][row] whatever the order of the text
+// was, with the uncertainty of each entry (half a unit of its last digit).
 struct GivenMatrix {
   glm::dmat4 m{1};
   glm::dmat4 uncertainty{0};
@@ -44,7 +44,7 @@ enum class MatrixShape {
   kIdentity,
   kTranslation,  // only a translation
   kRigid,        // rotation and translation; with `mirror`, a reflection
-  kSimilarity,   // the same, with one scale for all directions
+  kSimilarity,   // rigid, with one scale for all directions
   kScaled,       // rotation after a scale along the axes, R S: columns perpendicular
   kScaledAfter,  // scale after a rotation, S R: rows perpendicular, columns not
   kSheared,      // any other invertible affine map
@@ -57,7 +57,7 @@ struct MatrixFacts {
   bool affine = true;             // last row 0 0 0 1
   bool affine_transposed = true;  // last column 0 0 0 1, as in an affine matrix for row vectors
   int rank = 4;
-  double determinant = 1;    // of the upper 3x3, like the next four
+  double determinant = 1;    // of the upper 3x3 part, as are the next four
   int orientation = 1;       // the determinant's sign; 0 if it could be a rounding error
   double orthogonality = 0;  // largest entry of |R^T R - I|
   glm::dvec3 scale{1};  // the lengths of the columns; for a diagonal, its entries with their signs
@@ -72,8 +72,8 @@ struct MatrixFacts {
 
 MatrixFacts matrix_facts(const glm::dmat4& m);
 
-// The number of independent rows, by elimination with full pivoting. A pivot counts as zero if
-// rounding the entries to float could have made it.
+// The number of independent rows, by Gaussian elimination with full pivoting. A pivot counts as
+// zero if rounding the entries to float could have made it.
 int rank_of(const glm::dmat4& m);
 
 // The first entry that is infinite or NaN.
@@ -85,12 +85,13 @@ std::optional<Entry> first_not_finite(const glm::dmat4& m);
 // ---- as a view matrix, eye_from_world ----
 
 struct Eyepoint {
-  // of the eye in the world; if the matrix is not rigid, the point that it maps to the origin
+  // The position of the eye in the world. If the matrix is not rigid, it is the point that the
+  // matrix maps to the origin.
   glm::dvec3 position{0};
   double uncertainty = 0;  // of each coordinate, from the uncertainty of the entries
-  int digits = 0;          // of the three coordinates together, as the simplest decimals
+  int digits = 0;          // of the simplest decimals of the three coordinates, added up
   glm::dvec3 right{0}, up{0}, back{0};  // the eye's axes in the world: rows of the upper 3x3
-  // The right axis is horizontal if y or z is up, as it is for look-at cameras.
+  // Whether the right axis is horizontal for y up or for z up, as it is for look-at cameras.
   bool level = false;
 };
 

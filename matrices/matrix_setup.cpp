@@ -25,8 +25,8 @@ std::optional<Handedness> drawn_handedness(const MatrixSetup& setup) {
   }
   bool right = lens.looks_down_minus_z;
   if (view.mirror()) right = !right;
-  // Only x flipped against y mirrors the picture left to right. A picture that is upside down, or
-  // turned by 180 degrees, is not mirrored.
+  // The picture is mirrored left to right only if x is flipped and y is not. If only y is flipped,
+  // the picture is upside down; if both are, it is turned by 180 degrees.
   const bool y_flipped = (lens.scale.y < 0) != setup.dialect.ndc_y_down;
   if (lens.scale.x < 0 && !y_flipped) right = !right;
   return right ? Handedness::kRight : Handedness::kLeft;

@@ -22,7 +22,7 @@ double length3(const glm::dvec4& v) {
   return std::sqrt(dot3(v, v));
 }
 
-// The view's third row, and the factor k by which the projection scales everything.
+// The view's third row (`back`), and the factor k by which the projection scales everything.
 struct Gaze {
   bool perspective = false;
   double k = 0;
@@ -41,8 +41,8 @@ std::optional<Gaze> gaze_of(const glm::dmat4& m) {
   return gaze;
 }
 
-// Each of the first two rows is a row of the view, scaled, plus a multiple of the gaze; the third
-// row is the gaze again.
+// Finds the factors row by row. Each of the first two rows of the product is a row of the view,
+// scaled, plus a multiple of the gaze; the third row is a multiple of the gaze, plus an offset.
 std::optional<ProjectionAndView> factor_by(const glm::dmat4& m, const Gaze& gaze) {
   glm::dmat4 projection(0), view(1);
   glm::dvec4 axes[3] = {{}, {}, gaze.back};
@@ -67,7 +67,7 @@ std::optional<ProjectionAndView> factor_by(const glm::dmat4& m, const Gaze& gaze
   projection[3][3] = gaze.perspective ? 0 : 1;
   const glm::dvec3 cross = glm::cross(glm::dvec3(axes[0]), glm::dvec3(axes[1]));
   if (glm::dot(cross, glm::dvec3(axes[2])) < 0) {
-    // This is interpreted as a left-handed eye, not as a view that mirrors.
+    // Such a matrix is taken for that of a left-handed eye, not for that of a view that mirrors.
     axes[2] = -axes[2];
     projection[2] = -projection[2];
   }
@@ -77,8 +77,8 @@ std::optional<ProjectionAndView> factor_by(const glm::dmat4& m, const Gaze& gaze
   return ProjectionAndView{{projection, glm::dmat4(0), true}, {view, glm::dmat4(0), true}};
 }
 
-// ---- uncertainty of the factors, from that of the entries; generous, as each entry comes from two
-// rows ----
+// ---- uncertainty of the factors, from that of the entries ----
+// These are generous bounds, because each entry comes from two rows.
 
 double row_uncertainty(const GivenMatrix& matrix, int row) {
   return std::max({entry_at(matrix.uncertainty, row, 0), entry_at(matrix.uncertainty, row, 1),
@@ -179,7 +179,7 @@ bool is_transposed_projection(const GivenMatrix& matrix) {
   const GivenMatrix turned = transposed(matrix);
   const ProjectionFacts turned_facts = projection_facts(turned);
   if (turned_facts.kind == ProjectionKind::kPerspective) return !turned_facts.looks_transposed;
-  // The last row of a projection times a view contains the gaze, which is a unit vector.
+  // The last row of a projection times a view has the direction of view, a unit vector.
   const double gaze = length3(row_of(turned.m, 3));
   return std::abs(gaze - 1) <= kRigidTolerance && factor_projection(turned);
 }

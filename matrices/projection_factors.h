@@ -8,25 +8,26 @@
 
 namespace glassbox {
 
-// Splits a matrix clip_from_world into a projection times a rigid view. Nothing if that is not
-// possible, or if the view would be the identity.
+// A matrix clip_from_world, split into a projection times a rigid view. factor_projection returns
+// nothing if that is not possible, or if the view would be the identity.
 struct ProjectionAndView {
   GivenMatrix projection, view;
 };
 std::optional<ProjectionAndView> factor_projection(const GivenMatrix& matrix);
 
-// The projection itself, if the matrix contains a view or has_corner_left_over.
+// The projection alone: without the view if the matrix contains one, and without a corner left
+// over.
 GivenMatrix projection_part(const GivenMatrix& matrix);
 
-// Whether [3][3] of a perspective matrix is a 1 left over from an identity matrix. It is taken for
-// one if the near and far planes are rounder without it than if the matrix is read as a projection
-// times a view that moves along z.
+// Whether the 1 at [3][3] of a perspective matrix is left over from an identity matrix. It is if
+// the near and far planes are rounder without it than if the matrix is read as a projection times a
+// view that moves along z.
 bool has_corner_left_over(const GivenMatrix& matrix);
 GivenMatrix without_corner(const GivenMatrix& matrix);
 
-// Whether the factors are in the wrong order, view * projection. Then the last row is that of the
-// projection, and the first, second and fourth columns are perpendicular, as a rotation leaves
-// them, but not along the axes.
+// Whether the matrix is view * projection, with the factors in the wrong order. Then the last row
+// is that of the projection, and the first, second and fourth columns are perpendicular, because a
+// rotation keeps them so, but not along the axes.
 bool is_view_times_projection(const glm::dmat4& m);
 
 // Whether the transposed matrix is a projection, perhaps multiplied with a view.

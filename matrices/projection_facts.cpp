@@ -19,7 +19,7 @@ struct Plane {
   double distance = 0, uncertainty = 0;
 };
 
-// The distance at which the depth is `z`; infinity if that is possible within the uncertainty.
+// The distance at which the depth is `z`; infinity if the uncertainty allows that.
 Plane plane_of_depth(const ProjectionFacts& p, double z) {
   if (p.kind == ProjectionKind::kParallel) {
     const double distance = (z - p.beta) / p.alpha;
@@ -43,7 +43,8 @@ DepthReading reading(const ProjectionFacts& p, bool from_minus_one) {
   r.possible =
       p.kind == ProjectionKind::kParallel || (near.distance > 0 && near.distance < far.distance);
   if (!r.possible && r.reversed) {
-    // One of the planes is behind the eye, which is why depth falls with distance.
+    // One of the planes is behind the eye; that is why depth falls with distance. Depth is not
+    // reversed, so the planes are exchanged back.
     std::swap(near, far);
     r.reversed = false;
   }
@@ -63,7 +64,7 @@ void read_depth(ProjectionFacts& p) {
 
 // ---- the angle of view ----
 
-// The angle as a whole number of degrees if it is one within its uncertainty.
+// The angle as a whole number of degrees, if there is one within the uncertainty.
 std::optional<int> whole_degrees(double degrees, double uncertainty) {
   const Decimal number = simplest_decimal(degrees, uncertainty);
   const bool is_whole = number.digits <= 3 && number.value == std::floor(number.value);
@@ -83,9 +84,9 @@ struct Angle {
   std::optional<int> whole() const { return whole_degrees(degrees, uncertainty); }
 };
 
-// Finds D if the scale is cot(D/2) with D in degrees, computed as if it were radians. D starts at
-// 4, since 1, 2 and 3 are plausible angles in radians. The tolerance 2^-21 allows for a few
-// roundings to float.
+// Finds the whole number D for which the scale is cot(D/2) of D radians: an angle of D degrees was
+// passed as radians. The search starts at 4, because 1, 2 and 3 are plausible angles in radians.
+// The tolerance 2^-21 allows for a few roundings to float.
 std::optional<int> degrees_taken_as_radians(double scale, double uncertainty) {
   for (int degrees = 4; degrees < 180; ++degrees) {
     const SinCos half = sin_cos(degrees * 0.5);
@@ -95,8 +96,8 @@ std::optional<int> degrees_taken_as_radians(double scale, double uncertainty) {
   return std::nullopt;
 }
 
-// Returns nothing if the scale has few digits: then it was probably typed, not computed from an
-// angle.
+// Finds the whole angle of view for which the window would be half as large. Returns nothing if the
+// scale has few digits: then it was probably typed, not computed from an angle.
 std::optional<int> degrees_of_half_window(const glm::dvec2& scale, const glm::dvec2& uncertainty) {
   constexpr int kTyped = 3;
   for (const int axis : {1, 0}) {
@@ -129,8 +130,8 @@ void read_angle(ProjectionFacts& p, const glm::dvec2& uncertainty) {
 
 // ---- the rows ----
 
-// Perspective or parallel if x and y are each scaled and moved on their own, and w is a multiple of
-// z or constant.
+// The matrix is perspective or parallel if its first two rows scale and move x and y separately,
+// and w is a multiple of z (perspective) or constant (parallel).
 ProjectionKind kind_of(const glm::dmat4& m) {
   for (int row : {0, 1}) {
     const int other = 1 - row;
@@ -160,7 +161,7 @@ int ProjectionFacts::fewest_digits() const {
 }
 
 const DepthReading* ProjectionFacts::round_planes(DepthRange expected) const& {
-  constexpr int kRound = 5;  // such as "0.25 and 150"
+  constexpr int kRound = 5;  // the most digits of round planes, such as "0.25 and 150"
   if (kind != ProjectionKind::kPerspective) return nullptr;
   const DepthReading* best = nullptr;
   for (const DepthReading* r : {&zero_to_one, &minus_one_to_one}) {

@@ -31,7 +31,7 @@ bool has_transposed_skew(const glm::dmat4& m) {
          is_small(m, 3, 3) && !is_small(m, 2, 3);
 }
 
-// Whether the matrix is of another kind that was given as the projection by mistake. Reports it.
+// Whether a matrix of another kind was given as the projection by mistake. Reports it if so.
 bool is_something_else(const GivenMatrix& given, Findings& found) {
   const MatrixFacts facts = matrix_facts(given.m);
   if (is_view_times_projection(given.m)) {
@@ -45,11 +45,13 @@ bool is_something_else(const GivenMatrix& given, Findings& found) {
                 "it is a rotation and a translation, as view or model matrices are",
                 "pass it as --view");
   } else if (has_transposed_skew(given.m)) {
-    found.alarm("skew-transposed", kProjection,
-                "depth and w change with x, although nothing is rotated: a skew was transposed "
-                "before it was multiplied in (E2)",
-                "the skew's two entries belong in the first row, x' = x + s - (s/f) z: in an array "
-                "m[column][row] they are m[3][0] and m[2][0]");
+    found.alarm(
+        "skew-transposed", kProjection,
+        "depth and w change with x, although nothing is rotated: a skew was transposed "
+        "before it was multiplied in (E2)",
+        "the skew's two entries belong in the first row, x' = x + s - (s/f) z, with the shift s "
+        "and the distance f without parallax: in an array m[column][row] they are m[3][0] "
+        "and m[2][0]");
   } else if (is_transposed_projection(given)) {
     found.alarm("transposed", kProjection,
                 facts.affine_transposed ? "its last column is 0 0 0 1 and its last row " +
@@ -67,7 +69,7 @@ void alarm_unknown(const GivenMatrix& given, Findings& found) {
   const int rank = rank_of(given.m);
   found.alarm(
       "no-projection", kProjection,
-      rank < 4 ? "it is not a projection: its rank is " + std::to_string(rank)
+      rank < 4 ? "it is not a projection: its rank is " + std::to_string(rank) + ", not 4"
                : "it is not a projection: x and y are not scaled separately, or w depends on them",
       "compare it with the table in docs/step.md, entry by entry");
 }
@@ -93,19 +95,21 @@ void check_offsets(const MatrixSetup& setup, const ProjectionFacts& lens, Findin
                    short_number(*without_parallax, 5) + " have no parallax (S0-11)",
                "");
   } else {
-    found.hint("skew-sign", kProjection,
-               "the eye moves to x = " + moved +
-                   " and the frustum leans further the same way: no point in front of it has zero "
-                   "parallax (E2)",
-               "skew before the projection, P * S, with S[0][2] = +s/f for an eye that looks down "
-               "-z and -s/f for one that looks down +z");
+    found.hint(
+        "skew-sign", kProjection,
+        "the eye moves to x = " + moved +
+            " and the frustum leans further the same way: no point in front of it has zero "
+            "parallax (E2)",
+        "skew before the projection: projection * skew, where entry [0][2] of the skew is +s/f "
+        "for an eye that looks down -z and -s/f for one that looks down +z (s: the shift, f: "
+        "the distance without parallax)");
   }
 }
 
 // ---- depth ----
 
-// The near and far planes that result if one entry or row is negated, in words; empty if none of
-// these are round.
+// The near and far planes, in words, if they become round when one entry or row is negated; empty
+// if they do not.
 std::string planes_after_repair(const MatrixSetup& setup) {
   struct Repair {
     const char* words;
@@ -156,7 +160,8 @@ void check_range(const MatrixSetup& setup, const DepthReading& ours, const Depth
                       std::string(from_minus_w ? "0 .. 1" : "-1 .. 1") + ": then it has " +
                       planes_text(other);
   if (!ours.possible) {
-    cause += "; for " + std::string(setup.dialect.title) + " there are no planes (E16)";
+    cause +=
+        "; read for " + std::string(setup.dialect.title) + " it has no near and far plane (E16)";
   } else {
     cause += ", which are round numbers; read for " + std::string(setup.dialect.title) +
              " they are " + planes_text(ours) + ". As it is, ";
@@ -256,13 +261,13 @@ void check_aspect(const MatrixSetup& setup, const ProjectionFacts& lens, Finding
   if (is(wanted)) return;
   std::string why =
       ", but the picture's is " + short_number(wanted, 4) + ": circles become ellipses";
-  std::string remedy = "pass width/height";
+  std::string remedy = "pass width/height as the aspect ratio";
   if (is(height / double(width))) {
     why += "; it is height/width";
   } else if (const int truncated = width / height; truncated >= 1 && is(truncated)) {
     why += "; " + std::to_string(width) + "/" + std::to_string(height) + " in integers is " +
            std::to_string(truncated);
-    remedy = "divide as floats";
+    remedy = "divide width by height as floats";
   }
   found.hint("aspect", kProjection, "its aspect ratio is " + short_number(lens.aspect, 4) + why,
              remedy);
@@ -282,7 +287,8 @@ bool check_last_row(const MatrixSetup& setup, const ProjectionFacts& lens, Findi
                 "its last row is 0 0 0 1, so that nothing gets smaller with distance; with 0 0 " +
                     short_number(sign) + " 0 it is a perspective projection with " +
                     planes_text(*planes),
-                "w has to be the distance along the gaze: set [3][2], and [3][3] to 0");
+                "w has to be the distance along the gaze: set [3][2] to " + short_number(sign) +
+                    " and [3][3] to 0");
     return true;
   }
   return false;

@@ -17,14 +17,14 @@ void for_each_drawn_position(const Mesh& mesh, Visit visit) {
   for (const Corner& corner : mesh.points) visit(mesh.positions[corner.position]);
 }
 
-// The box of the mesh; empty where nothing is drawn.
+// The bounding box of what the mesh draws; empty if it draws nothing.
 inline Box<Object> bounds(const Mesh& mesh) {
   Box<Object> box;
   for_each_drawn_position(mesh, [&](const Point<Object>& p) { box.include(p); });
   return box;
 }
 
-// The same for all instances of a scene, in world space.
+// Calls `visit` with the world position of every drawn corner of every instance of the scene.
 template <class Visit>
 void for_each_drawn_position(const Scene& scene, Visit visit) {
   for (const Instance& instance : scene.instances) {
@@ -35,8 +35,8 @@ void for_each_drawn_position(const Scene& scene, Visit visit) {
   }
 }
 
-// The box of all positions in world space. Every position is transformed, because the box of an
-// object's rotated box would be larger.
+// The bounding box of all drawn positions in world space. Every position is transformed, because
+// the box around the transformed corners of an object's own box could be larger.
 inline Box<World> bounds(const Scene& scene) {
   Box<World> box;
   for_each_drawn_position(scene, [&](const Point<World, double>& p) { box.include(p); });

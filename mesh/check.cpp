@@ -35,8 +35,9 @@ void check_planarity(const Mesh& mesh, MeshReport& report) {
   }
 }
 
-// The vertices of every face, starting with its lowest one, in the direction in which the second is
-// the lower neighbour: equal for two faces that differ only in starting corner or winding.
+// For every face, the list of its vertices in a standard order: it starts with the lowest vertex
+// and goes on in the direction of that vertex's lower neighbour. Two faces that differ only in
+// their starting corner or winding have equal lists.
 class FaceRings {
 public:
   FaceRings(const Mesh& mesh, const std::vector<std::uint32_t>& vertex_of_position) : mesh_(mesh) {

@@ -33,7 +33,7 @@ struct MeshReport {
 
   // Faults of faces.
   std::uint32_t degenerate_faces = 0;  // dropped because they have no area
-  // Dropped from faces that are kept, because they have no area.
+  // Triangles without area, which were dropped from faces that are kept.
   std::uint32_t degenerate_triangles = 0;
   std::uint32_t self_intersecting_faces = 0;
   // Faces with the same vertices as an earlier face, in the same or the opposite direction.
@@ -51,10 +51,10 @@ struct MeshReport {
   }
 };
 
-// A face counts as non-planar when a corner is further from its mean plane than rounding a flat
-// face's corners to float can move it: 2^-22 of the largest coordinate of the face (half an ulp in
-// each of three coordinates is below 2^-23 of it for the corner; the mean plane can move as far in
-// the other direction).
+// A face counts as non-planar if a corner is further from its mean plane than rounding a flat
+// face's corners to float can move it: 2^-22 of the largest coordinate of the face. (Half an ulp in
+// each of three coordinates moves the corner by less than 2^-23 of that coordinate, and the mean
+// plane can move as far in the other direction.)
 MeshReport mesh_report(const Mesh& mesh);
 
 }  // namespace glassbox

@@ -8,10 +8,10 @@
 namespace glassbox {
 namespace {
 
-// Finds the blocking corners near a triangle without testing all of them: a grid of about as many
-// cells as there are entries. The cell index of a coordinate never decreases as the coordinate
-// grows (subtraction, multiplication and floor are monotone, rounding included), so every point in
-// a triangle is in one of the cells of the triangle's box.
+// A grid that finds the corners near a triangle without testing all of them. It has about as many
+// cells as entries. The cell index of a coordinate never decreases as the coordinate grows
+// (subtraction, multiplication and floor are monotone, rounding included), so every point in a
+// triangle is in one of the cells of the triangle's box.
 class Grid {
 public:
   Grid(std::span<const FlatPoint> points, std::size_t entries) {
@@ -36,7 +36,7 @@ public:
            std::uint64_t(row(high.y) - row(low.y) + 1);
   }
 
-  // Visits the points in the box's cells until `visit` returns true; returns whether it did.
+  // Visits the points in the cells of a box until `visit` returns true; returns whether it did.
   template <class Visit>
   bool any_in_box(const FlatPoint& low, const FlatPoint& high, Visit visit) {
     const int left = column(low.x), right = column(high.x);
@@ -115,13 +115,15 @@ public:
 private:
   struct QueuedCorner {
     std::uint32_t corner;
-    std::uint32_t ticket;  // invalid once the corner has a later ticket
+    // Counts the entries made for this corner. An entry with a smaller number than ticket_[corner]
+    // is out of date.
+    std::uint32_t ticket;
   };
 
   void enqueue_corner(std::uint32_t corner) { queue_.push_back({corner, ++ticket_[corner]}); }
 
-  // The next corner in the queue that is an ear. A corner that is not an ear is tested again only
-  // after a neighbour has changed: in a simple outline nothing else can make it an ear.
+  // Returns the next corner in the queue that is an ear. A corner that is not an ear is tested
+  // again only after a neighbour has changed: in a simple outline nothing else can make it an ear.
   std::optional<std::uint32_t> next_ear() {
     while (queue_head_ < queue_.size() && budget_ > 0) {
       const QueuedCorner queued = queue_[queue_head_++];
@@ -149,8 +151,8 @@ private:
     return std::nullopt;
   }
 
-  // The lowest remaining corner of the ring. Corners are only ever removed, so the search need not
-  // start from 0 again.
+  // The remaining corner of the ring with the lowest index. Corners are never added, so the search
+  // need not start from 0 again.
   std::uint32_t first_left() {
     while (removed_[first_left_]) ++first_left_;
     return first_left_;
@@ -160,9 +162,10 @@ private:
     return orientation(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
   }
 
-  // Only corners that do not turn left can be the deepest point inside a triangle. Corners at the
-  // same place as one of the triangle's own corners touch it from outside as far as this test can
-  // tell, and do not count.
+  // Whether another corner is inside the triangle that would be cut off at `corner`. Corners that
+  // turn left are not tested: if any corner is inside, one that does not turn left is inside, too.
+  // A corner at the same place as one of the triangle's own corners is ignored, because it may
+  // touch the triangle from outside.
   bool blocked(std::uint32_t corner, Inside inside) {
     const FlatPoint &a = points_[previous_[corner]], &b = points_[corner],
                     &c = points_[next_[corner]];
@@ -200,7 +203,8 @@ private:
     grid_.insert(points_[corner], corner);
   }
 
-  // Cuts the last triangle, or all that is left of an outline that crosses itself.
+  // Cuts what is left into a fan: the last triangle, or the rest of an outline that crosses itself.
+  // Returns whether no triangle is clockwise.
   bool cut_fan() {
     const std::uint32_t first = first_left();
     bool none_clockwise = true;

@@ -13,20 +13,20 @@ namespace glassbox {
 
 struct EarClipping {
   bool proper = true;  // no triangle turns clockwise
-  // The work: tested corners, and tested cells of the grid that finds them.
+  // The work: the number of tested corners, and of tested cells of the grid that finds the corners.
   std::int64_t test_count = 0;
 };
 
 // Cuts a counter-clockwise outline of n >= 3 points into n - 2 triangles, which are passed to `cut`
-// as indices into `outline` in the order of the outline. The result is improper where the outline
-// crosses itself, or where the work was more than ear_budget(n).
+// as indices into `outline` in the order of the outline. `proper` can be false only if the outline
+// crosses itself, or if the work was more than ear_budget(n).
 //
-// Corners are queued, starting with point 0. A corner that is an ear (it turns left, and no other
-// corner that does not turn left is in its triangle) is cut off, and its two neighbours go to the
-// end of the queue, which prevents long thin triangles. An empty queue means that the outline
-// touches or crosses itself. Then, in this order, the first corner without area is cut (a spike, a
-// repeated point), or the first one whose triangle has no corner strictly inside; otherwise the
-// rest becomes a fan from its first point.
+// Corners are queued, starting with point 0. A corner is an ear if it turns left and no other
+// corner that does not turn left is in its triangle. An ear is cut off, and its two neighbours go
+// to the end of the queue, which prevents long thin triangles. An empty queue means that the
+// outline touches or crosses itself. Then the first corner without area (a spike, a repeated point)
+// is cut; if there is none, the first corner whose triangle has no other corner strictly inside; if
+// there is none, the rest becomes a fan from its first point.
 EarClipping clip_ears(std::span<const FlatPoint> outline,
                       const std::function<void(const std::array<std::uint32_t, 3>&)>& cut);
 

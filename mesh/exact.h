@@ -1,4 +1,4 @@
-// Decisions about floats in a plane that must not depend on rounding.
+// Exact decisions about points in a plane that have float coordinates: rounding has no influence.
 #pragma once
 
 #include <glassbox/base/expansion.h>
@@ -11,7 +11,8 @@ struct FlatPoint {
   friend bool operator==(const FlatPoint&, const FlatPoint&) = default;
 };
 
-// +1 where a, b, c turn counter-clockwise, -1 clockwise, 0 exactly where they are collinear.
+// Returns +1 if the turn a, b, c is counter-clockwise, -1 if clockwise, 0 if the points are exactly
+// collinear.
 inline int orientation(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
   return sign_of_orient2d({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
 }
@@ -27,7 +28,8 @@ public:
   void subtract_product(float a, float b) { add(-(double(a) * double(b))); }
 
   int sign() const { return terms_.sign(); }
-  // The sum rounded to a few units in the last place, with the correct sign.
+  // The sum rounded to a double with an error of a few units in the last place and the correct
+  // sign.
   double approximation() const { return terms_.estimate(); }
 
 private:

@@ -9,12 +9,13 @@ namespace glassbox {
 struct LoadLimits {
   // The size of one file.
   std::uint64_t max_file_bytes = std::uint64_t(4) << 30;
-  // All images of a scene together, decoded; and the longer side of each, in pixels.
+  // The sum of the pixels of all images of a scene, decoded; and the longest side of an image in
+  // pixels.
   std::uint64_t max_image_pixels = std::uint64_t(1) << 26;
   std::uint32_t max_image_side = 32768;
-  // The depth of the node hierarchy.
+  // The largest number of levels of the node hierarchy.
   std::uint32_t max_node_depth = 1024;
-  // All meshes of a scene together, each instance counted.
+  // The sum of the corners of all meshes of a scene, counted once for each instance.
   std::uint64_t max_corners = std::uint64_t(1) << 30;
 };
 

@@ -40,8 +40,8 @@ struct Face {
   friend bool operator==(const Face&, const Face&) = default;
 };
 
-// One set of tables drawn with one material. Loaders guarantee that every index is in range (or
-// kNone where allowed) and every number finite, so that later stages need not check.
+// One set of tables that is drawn with one material. Loaders guarantee that every index is in range
+// (or kNone where allowed) and every number is finite, so that later stages need not check.
 struct Mesh {
   std::string name;
   std::vector<Point<Object>> positions;

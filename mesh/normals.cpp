@@ -19,8 +19,8 @@ std::vector<Point<Object, double>> outline(const Mesh& mesh, const Face& face) {
   return points;
 }
 
-// The direction of v; absent where v has none. Scaling by the largest component first prevents the
-// squares from overflowing or underflowing.
+// The vector v scaled to unit length; absent if v has no direction. Dividing by the largest
+// component first prevents the squares from overflowing or underflowing.
 std::optional<Vector<Object, double>> direction(const Vector<Object, double>& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;

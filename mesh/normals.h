@@ -21,11 +21,13 @@ namespace glassbox {
 // from the side to which the vector points. Exact arithmetic gives exactly zero for bow-ties and
 // for collinear corners (C-24).
 //
-// The slide (S4.33) sums (y_i - y_n)(z_i + z_n) over the raw coordinates. For a polygon of unit
-// size at the distance 10^6 this loses all precision: the sums z_i + z_n are large and cancel only
-// at the end. Measured from the first corner they are as small as the polygon, and the result is
-// the same in exact arithmetic because the sum of all edges is zero (C-22). Running error bound:
-// |delta m| <= gamma_(N+3) * sum |difference| |sum|.
+// The slide (S4.33) sums (y_i - y_n)(z_i + z_n), with n the next corner after i, over the raw
+// coordinates. For a polygon of unit size at the distance 10^6 this loses all precision: the sums
+// z_i + z_n are large and cancel only at the end. Here coordinates are measured from the first
+// corner, so the sums are as small as the polygon; in exact arithmetic the result is the same
+// because the sum of all edges is zero (C-22). For N corners, a component of the result has a
+// rounding error of at most gamma_(N+3) times the sum of |difference| |sum| over the edges (gamma_k
+// is about k times the unit roundoff).
 template <class T>
 Vector<Object, T> newell_vector(std::span<const Point<Object, T>> polygon) {
   Vector<Object, T> m(T(0), T(0), T(0));
@@ -42,12 +44,14 @@ Vector<Object, T> newell_vector(std::span<const Point<Object, T>> polygon) {
   return m;
 }
 
-// (V2 - V1) x (V3 - V2): twice the vector area of the triangle V1, V2, V3, with Newell's sign.
+// (V2 - V1) x (V3 - V2): twice the vector area of the triangle V1, V2, V3, with the same sign as
+// Newell's vector.
 //
-// There are two traps for polygons with more corners. V2 may be reflex; then the sign is wrong. The
-// corners may be nearly collinear; then noise of size s in the positions turns the normal by about
-// s / (bend). A third is in the slide itself (S4.32): it writes (V1 - V2) x (V3 - V2), which points
-// the other way (E11, C-31).
+// There are two traps for polygons with more corners. If the corner V2 is reflex, the sign is
+// wrong. If the corners are nearly collinear, errors in the positions turn the normal by about
+// their size (relative to the edges) divided by the angle between the two edges. A third trap is in
+// the slide itself (S4.32): it writes (V1 - V2) x (V3 - V2), which points the other way (E11,
+// C-31).
 template <class T>
 Vector<Object, T> three_point_normal(const Point<Object, T>& v1, const Point<Object, T>& v2,
                                      const Point<Object, T>& v3) {

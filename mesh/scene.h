@@ -46,8 +46,8 @@ struct Material {
   float alpha_cutoff = 0.5f;  // kMask: visible where alpha >= cutoff
   bool double_sided = false;
   bool unlit = false;
-  // The emitted light, in the units of the reflected light, to which it is added after
-  // multiplication by the texture. Unlit materials have none.
+  // The emitted light, in the units of the reflected light. It is multiplied by the texture and
+  // then added to the reflected light. Unlit materials have none.
   std::array<float, 3> emission{0, 0, 0};
   std::optional<std::uint32_t> emission_texture;  // index into Scene::textures
 };
@@ -114,10 +114,11 @@ struct Light {
   std::array<float, 3> color{1, 1, 1};                  // linear
   double intensity = 1;                                 // lux (directional), candela (point, spot)
   std::optional<double> range;                          // world units; no light beyond it
-  double inner_cone_radians = 0;                        // spot: full intensity inside
-  double outer_cone_radians = 0.785398163397448309616;  // spot: nothing outside
-  Point<World, double> position;                        // point, spot
-  Vector<World, double> direction;  // the way the light travels, unit length; directional, spot
+  double inner_cone_radians = 0;                        // spot lights: full intensity inside
+  double outer_cone_radians = 0.785398163397448309616;  // spot lights: no light outside
+  Point<World, double> position;                        // point lights and spot lights only
+  // The direction in which the light travels, of unit length; directional and spot lights only.
+  Vector<World, double> direction;
 };
 
 // ---- the whole ----
@@ -132,8 +133,8 @@ struct Scene {
   std::vector<Node> nodes;
   std::vector<Instance> instances;
   std::vector<Camera> cameras;
-  std::vector<Light> lights;            // none: a default headlight
-  std::vector<std::string> extensions;  // that the file names
+  std::vector<Light> lights;            // if there are none, a default headlight is used
+  std::vector<std::string> extensions;  // the names of the extensions that the file uses
   std::vector<std::string> warnings;    // what was ignored or repaired, one sentence each
 };
 

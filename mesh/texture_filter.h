@@ -1,4 +1,4 @@
-// Texture filters that replace those of the samplers: named approximations.
+// Texture filters, by name, that replace the filters of all samplers.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace glassbox {
 
-// In OpenGL's terms: NEAREST; LINEAR; LINEAR, minified LINEAR_MIPMAP_NEAREST; LINEAR, minified
-// LINEAR_MIPMAP_LINEAR.
+// The OpenGL filters that these stand for, in order: NEAREST; LINEAR; LINEAR, minified
+// LINEAR_MIPMAP_NEAREST; LINEAR, minified LINEAR_MIPMAP_LINEAR.
 enum class TextureFilter : std::uint8_t { kNearest, kBilinear, kBilinearLevels, kTrilinear };
 
 constexpr std::string_view name_of(TextureFilter filter) {
@@ -18,7 +18,7 @@ constexpr std::string_view name_of(TextureFilter filter) {
   return kNames[std::size_t(filter)];
 }
 
-// The same wrapping with another filter.
+// A sampler with the same wrapping and another filter.
 constexpr Sampler with_filter(const Sampler& sampler, TextureFilter filter) {
   const Filter texels = filter == TextureFilter::kNearest ? Filter::kNearest : Filter::kLinear;
   const MipFilter levels = filter == TextureFilter::kTrilinear        ? MipFilter::kLinear

@@ -7,7 +7,7 @@
 namespace glassbox {
 namespace {
 
-// Sets that can only be merged; the root is the lowest member.
+// Sets that can only be merged; the root of a set is its lowest member.
 class DisjointSets {
 public:
   explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -50,7 +50,8 @@ std::vector<std::uint32_t> weld_positions(const Mesh& mesh, Weld weld) {
   return vertex;
 }
 
-// A use together with its edge, before the uses are grouped by edge.
+// One face's use of an edge together with the edge's two vertices, before the uses are grouped by
+// edge.
 struct Passage {
   std::uint32_t low, high;
   EdgeUse use;
@@ -89,8 +90,8 @@ private:
       if (ring_.empty() || vertex(ring_.back()) != vertex(c)) ring_.push_back(c);
     }
     while (ring_.size() > 1 && vertex(ring_.front()) == vertex(ring_.back())) ring_.pop_back();
-    // A ring without equal neighbours has at least three distinct vertices if its length is odd or
-    // it contains a third vertex.
+    // A face is ignored unless its ring has a vertex that differs from the first two (neighbours in
+    // the ring always differ).
     const auto is_third = [&](std::uint32_t c) {
       return vertex(c) != vertex(ring_[0]) && vertex(c) != vertex(ring_[1]);
     };
@@ -170,8 +171,8 @@ private:
   std::vector<std::uint32_t> ring_corners_;  // of all faces that are not ignored
   std::vector<std::uint32_t> taking_part_;
   std::vector<Passage> passages_;
-  DisjointSets same_fan_;   // of corners
-  DisjointSets connected_;  // of faces
+  DisjointSets same_fan_;   // one set for the corners of each fan
+  DisjointSets connected_;  // one set for the faces of each component
 };
 
 }  // namespace

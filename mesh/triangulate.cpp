@@ -34,8 +34,8 @@ FlatPoint projected_along(Axis axis, const Point<Object>& p) {
   }
 }
 
-// The point projected so that the polygon is counter-clockwise: mirrored if it is counter-clockwise
-// from the negative end.
+// The point projected so that the polygon is counter-clockwise. If the polygon is counter-clockwise
+// from the axis' negative end, the projection is mirrored.
 FlatPoint projected_to_front(const Facing& facing, const Point<Object>& p) {
   const FlatPoint flat = projected_along(facing.axis, p);
   return facing.sign > 0 ? flat : FlatPoint{flat.y, flat.x};
@@ -53,8 +53,9 @@ double exact_area(const Positions& outline, Axis axis) {
   return area.approximation();
 }
 
-// The same by Newell's sums from the first corner on, and a bound of the error (docs/references.md,
-// bound 6; one more unit for the rounding of the bound itself).
+// Twice the area inside an outline in double, by Newell's sums relative to the first corner, with a
+// bound of the rounding error (docs/references.md, bound 6, and one more unit for the rounding of
+// the bound itself).
 struct BoundedArea {
   double value = 0;
   double error = 0;
@@ -118,7 +119,7 @@ double squared_distance(const Point<Object>& a, const Point<Object>& b) {
 void add_squared_distance(ExactSum& sum, const Point<Object>& a, const Point<Object>& b,
                           float factor) {
   const auto add_square = [&](float u, float v) {
-    // Multiplying a product by 1, -1 or 2 is exact.
+    // The terms of (u - v)^2, times the factor. Multiplying a product by 1, -1 or 2 is exact.
     sum.add(factor * (double(u) * u));
     sum.add(factor * (double(v) * v));
     sum.add(-2 * factor * (double(u) * v));
@@ -128,13 +129,14 @@ void add_squared_distance(ExactSum& sum, const Point<Object>& a, const Point<Obj
   add_square(a.z, b.z);
 }
 
-// Whether the diagonal from corner 1 is strictly shorter than the one from corner 0, exactly: a tie
-// must be a tie on every machine and at every position of the quad.
+// Whether the diagonal from corner 1 is strictly shorter than the one from corner 0, decided
+// exactly: diagonals of equal length must be found equal on every machine and wherever the quad is.
 bool second_diagonal_is_shorter(const Positions& quad) {
   const double from_0 = squared_distance(quad[0], quad[2]);
   const double from_1 = squared_distance(quad[1], quad[3]);
-  // Each square has a relative error of at most 3 u from its difference, and the sums add 2 u:
-  // 2^-49 covers both.
+  // Each squared distance has a relative error of at most 5 u (u is the unit roundoff 2^-53): 3 u
+  // for each square, because its difference is rounded, and 2 u for the two sums. 2^-49 = 16 u is
+  // enough for both distances.
   if (std::abs(from_0 - from_1) > 0x1p-49 * (from_0 + from_1)) return from_1 < from_0;
   ExactSum difference;
   add_squared_distance(difference, quad[1], quad[3], 1);

@@ -12,8 +12,9 @@
 //              the face is reported
 //
 // If every triangle that is cut off has the same winding as its outline, the triangles cover
-// exactly the inside of the outline: cutting a corner off does not change the sum of winding
-// numbers, so no triangle can cover a place twice or be outside.
+// exactly the inside of the outline: at every point the winding numbers of the triangles and of the
+// outline that is left add up to that of the original outline, so no triangle can cover a place
+// twice or be outside.
 //
 // Faces and triangles without area yield no triangles but are counted.
 #pragma once

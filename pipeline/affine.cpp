@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kRoundoff = unit_roundoff<double>;
 
-// A 3x3 matrix indexed by rows, as the formulas are written.
+// A 3x3 matrix with at[row][column], the order of indices in the formulas. (GLM has
+// m[column][row].)
 struct Rows {
   double at[3][3] = {};
 };
@@ -36,13 +37,15 @@ glm::dmat3 glm_of(const Rows& rows) {
   return m;
 }
 
-// Cofactor (i, j). The indices are cyclic, so the sign is already correct.
+// The cofactor of entry (i, j). The rows and columns after i and j are taken in cyclic order, which
+// gives the correct sign without a factor (-1)^(i + j).
 double cofactor(const Rows& m, int i, int j) {
   const int r = (i + 1) % 3, s = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
   return m.at[r][c] * m.at[s][d] - m.at[r][d] * m.at[s][c];
 }
 
-// The same with all terms positive: the size that the cofactor's rounding error is relative to.
+// The cofactor of entry (i, j) with the absolute value of each product. The cofactor's rounding
+// error is at most a few units of roundoff of this sum.
 double permanent_minor(const Rows& m, int i, int j) {
   const int r = (i + 1) % 3, s = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
   return std::abs(m.at[r][c] * m.at[s][d]) + std::abs(m.at[r][d] * m.at[s][c]);
@@ -66,9 +69,9 @@ Rows times_power_of_two(const Rows& m, int exponent) {
   return scaled;
 }
 
-// Cofactors divided by the determinant, or nothing where the determinant is not larger than its
-// rounding error. The matrix is scaled by a power of two first, so that the products neither
-// overflow nor vanish.
+// The inverse matrix: cofactors divided by the determinant. Returns nothing where the determinant
+// is not larger than its rounding error. The matrix is scaled by a power of two first, so that the
+// products neither overflow nor underflow to 0.
 std::optional<Rows> inverse3(const Rows& matrix) {
   const double largest = largest_entry(matrix);
   if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
@@ -122,9 +125,11 @@ glm::dmat4 affine_matrix(const Rows& linear, const glm::dvec3& translation) {
   return m;
 }
 
-// Rodrigues' formula: a a^T + cos (I - a a^T) + sin [a]x. 1 - cos is written as sin^2/(1 + cos)
-// where the subtraction cancels, and a diagonal entry as a_i^2 + cos (a_j^2 + a_k^2), which is
-// exactly 1 on the axis and exactly cos perpendicular to it.
+// Rodrigues' formula for a rotation about the unit vector a: a a^T + cos (I - a a^T) + sin [a]x,
+// where [a]x is the matrix of the cross product with a. For cos > 0, where 1 - cos would lose
+// digits, it is computed as sin^2/(1 + cos). The diagonal entries are computed as a_i^2 + cos
+// (a_j^2 + a_k^2): exactly 1 if a is the coordinate axis i, and exactly cos if a is another
+// coordinate axis.
 Rows rodrigues(const glm::dvec3& a, const SinCos& angle) {
   const double s = angle.sin, c = angle.cos;
   const double one_minus_c = c > 0 ? s * s / (1 + c) : 1 - c;
@@ -191,8 +196,9 @@ AxisAngle axis_angle_of(const glm::dmat4& rotation) {
     if (const auto axis = unit3(sine_axis)) result.axis = *axis;
     return result;
   }
-  // (R + R^T)/2 - cos I = (1 - cos) a a^T: every column is a multiple of the axis, and the column
-  // of the largest diagonal entry is the longest.
+  // For the rotation R about the unit vector a, (R + R^T)/2 - cos I = (1 - cos) a a^T. So every
+  // column of this matrix is a multiple of a, and the column of the largest diagonal entry is the
+  // longest.
   int column = 0;
   for (int i = 1; i < 3; ++i) {
     if (m.at[i][i] > m.at[column][column]) column = i;
@@ -214,17 +220,17 @@ double orthogonality_error(const glm::dmat3& matrix) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const double error = std::abs(gram.at[i][j] - (i == j ? 1 : 0));
-      if (!(error <= worst)) worst = error;  // NaN is kept
+      if (!(error <= worst)) worst = error;  // also if `error` is NaN
       if (std::isnan(worst)) return worst;
     }
   }
   return worst;
 }
 
-// Newton's iteration for the polar factor, X <- (X + X^-T)/2 (Higham 1986): each step squares the
-// distance.
+// Newton's iteration for the polar factor, X <- (X + X^-T)/2, where X^-T is the transposed inverse
+// (Higham 1986). Near the end, each step squares X's distance from the result.
 Result<NearestRotation> nearest_rotation(const glm::dmat3& matrix) {
-  constexpr int kMaxSteps = 60;  // a singular value of 2^-50 is doubled in each step at first
+  constexpr int kMaxSteps = 60;  // a singular value of 2^-50 becomes 2^49 and is then halved
   const auto none = fail(
       "rotation", "no rotation is near the matrix: it mirrors or flattens space, or is not finite",
       "give three perpendicular unit axes in right-handed order");
@@ -269,7 +275,8 @@ Result<AffineFit> affine_from_three_points(const std::array<glm::dvec2, 3>& sour
     return fail("correspondences", "the three points lie on a line, or are not finite",
                 "choose three that span a triangle");
   }
-  // [g h] [e f]^-1, where [e f]^-1 = [f.y -f.x; -e.y e.x]/det.
+  // The linear part maps the source's edges e and f to the target's edges g and h: it is [g h] [e
+  // f]^-1, where [e f]^-1 = [f.y -f.x; -e.y e.x]/det.
   Rows linear;
   for (int i = 0; i < 2; ++i) {
     linear.at[i][0] = (g[i] * f.y - h[i] * e.y) / det;

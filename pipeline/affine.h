@@ -1,8 +1,8 @@
 // Maps between affine spaces: translation, rotation, scale and shear, and their inverses (S3-02,
 // S3-04 .. S3-06).
 //
-// All matrices are made in double, have the last row (0, 0, 0, 1) and contain no -0. Their names
-// read as target from source:
+// All matrices are made in double, have the last row (0, 0, 0, 1) and contain no -0. A matrix is
+// named target_from_source:
 //
 //   world_from_object =
 //       translate<World, Object>({3, 0, 0}) * *rotate_degrees<Object>({0, 1, 0}, 30);
@@ -16,7 +16,7 @@
 
 namespace glassbox {
 
-// ---- the same on bare matrices (affine.cpp) ----
+// ---- functions on untyped matrices, called by the templates below (affine.cpp) ----
 
 namespace affine {
 Result<glm::dmat4> rotation(const glm::dvec3& axis, double degrees);
@@ -57,8 +57,8 @@ Transform<Target, Source> shear(Axis changed, Axis by, double factor) {
 
 // A rotation, counter-clockwise when the axis points at the viewer (Rodrigues' formula). The axis
 // may have any length. A zero, NaN or infinite axis is an error, and so is an angle beyond
-// kMaxDegrees. The entries are within 8 u of the exact rotation's; they are exact for axes along x,
-// y or z with multiples of 90 degrees.
+// kMaxDegrees. The entries are within 8 u (u is the unit roundoff, 2^-53) of the exact rotation's;
+// they are exact for axes along x, y or z with multiples of 90 degrees.
 template <class Target, class Source = Target>
 Result<Transform<Target, Source>> rotate_degrees(const Vector<Source, double>& axis,
                                                  double degrees) {
@@ -69,34 +69,35 @@ Result<Transform<Target, Source>> rotate_degrees(const Vector<Source, double>& a
 
 // ---- inverses ----
 
-// The inverse of a rotation followed by a translation: R^T, -R^T t. Nothing is checked: for a
-// matrix that is not rigid the result is wrong.
+// The inverse of a rotation R followed by a translation t: the rotation R^T followed by the
+// translation -R^T t. Nothing is checked: if the matrix is not such a product, the result is wrong.
 template <class Target, class Source>
 Transform<Source, Target> inverse_rigid(const Transform<Target, Source>& m) {
   return Transform<Source, Target>(affine::inverse_rigid(m.columns));
 }
 
-// The inverse of any invertible affine map, by cofactors. An error if the matrix is not finite, or
-// if the map flattens space so much that the sign of its determinant is not known (|det| <= 16 u
-// times the sum of the absolute values of the determinant's terms).
+// The inverse of any invertible affine map, by cofactors. It is an error if the matrix is not
+// finite, or if the map flattens space so much that the sign of its determinant is not known (|det|
+// <= 16 u times the sum of the absolute values of the determinant's terms, where u is the unit
+// roundoff).
 template <class Target, class Source>
 Result<Transform<Source, Target>> inverse_affine(const Transform<Target, Source>& m) {
   return affine::inverse(m.columns).map(
       [](const glm::dmat4& inverse) { return Transform<Source, Target>(inverse); });
 }
 
-// ---- rotations taken apart and repaired ----
+// ---- the axis and angle of a rotation; the rotation nearest to a matrix ----
 
 struct AxisAngle {
   glm::dvec3 axis{0, 0, 1};  // unit length
   double radians = 0;        // 0 .. pi
 };
 
-// The axis and the angle of a rotation (S3-06). The axis comes from R - R^T. The angle is
-// atan2(sine, cosine), which stays accurate near 0, where an arccosine loses half of the digits
-// (C-04). Beyond 90 degrees the axis comes from R + R^T, which is well-conditioned up to and at 180
-// degrees (C-05; at 180 degrees both directions of the axis are correct). The identity gives the z
-// axis. Only the upper 3x3 is read, and it must be a rotation.
+// The axis and the angle of a rotation matrix R (S3-06). The axis is computed from R - R^T. The
+// angle is atan2(sine, cosine), which stays accurate near 0, where an arccosine loses half of the
+// digits (C-04). Beyond 90 degrees the axis is computed from R + R^T, which is well-conditioned up
+// to and at 180 degrees (C-05; at 180 degrees both directions of the axis are correct). The
+// identity gives the z axis. Only the upper 3x3 is read, and it must be a rotation.
 AxisAngle axis_angle_of(const glm::dmat4& rotation);
 template <class Target, class Source>
 AxisAngle axis_angle_of(const Transform<Target, Source>& rotation) {
@@ -104,15 +105,16 @@ AxisAngle axis_angle_of(const Transform<Target, Source>& rotation) {
 }
 
 // The rotation nearest to a matrix (its polar factor), and its distance from the matrix. It repairs
-// drift from repeated products (C-11) and data with few digits (C-12). An error if no rotation is
-// near: for a reflection, or a matrix without full rank.
+// drift from repeated products (C-11) and data with few digits (C-12). It is an error if no
+// rotation is near: for a reflection, or a matrix without full rank.
 struct NearestRotation {
   glm::dmat3 rotation{1};
   double largest_change = 0;  // largest change of an entry
 };
 Result<NearestRotation> nearest_rotation(const glm::dmat3& matrix);
 
-// Largest entry of |R^T R - I|: 0 for exact rotations and reflections, a few u for rounded ones.
+// Largest entry of |R^T R - I| for the matrix R: 0 for exact rotations and reflections, a few u
+// (the unit roundoff) for rounded ones.
 double orthogonality_error(const glm::dmat3& matrix);
 
 // ---- affine maps from correspondences (S3-05) ----
@@ -125,13 +127,14 @@ struct AffineFit {
   double condition = 1;
 };
 
-// The map of the plane that carries three points to three others; z is unchanged. Six equations
-// determine six unknowns. An error if the source points are on one line.
+// The affine map of the plane that maps each of three source points to its target point; z is
+// unchanged. Six equations determine its six unknown entries. It is an error if the source points
+// are on one line.
 Result<AffineFit> affine_from_three_points(const std::array<glm::dvec2, 3>& source,
                                            const std::array<glm::dvec2, 3>& target);
 
-// The map of space that carries four points to four others. An error if the source points are in
-// one plane.
+// The affine map of space that maps each of four source points to its target point. It is an error
+// if the source points are in one plane.
 Result<AffineFit> affine_from_four_points(const std::array<glm::dvec3, 4>& source,
                                           const std::array<glm::dvec3, 4>& target);
 

@@ -8,13 +8,14 @@ namespace glassbox {
 
 namespace {
 
-// Rodrigues' formula about k = v x (-z) = (-vy, vx, 0), where |k| is the sine and -vz the cosine of
-// the angle, so that the angle itself is never computed: cos I + [k]x + k k^T (1 - cos)/sin^2. The
-// cross product with an axis is exact.
+// The rotation of the unit vector v to -z, by Rodrigues' formula: cos I + [k]x + k k^T (1 -
+// cos)/sin^2 with k = v x (-z) = (-vy, vx, 0), where [k]x is the matrix of the cross product with
+// k. |k| is the sine of the angle and -vz its cosine, so the angle itself is never computed. k has
+// no rounding error.
 Transform<World, World> gaze_to_minus_z(const Vector<World, double>& v) {
   const double c = -v.z, sine_squared = v.x * v.x + v.y * v.y;
   if (sine_squared == 0)
-    // A rotation about y, by 180 degrees or by 0.
+    // v is +z or -z: rotate about y, by 180 degrees or by 0.
     return scale<World>(c < 0 ? -1 : 1, 1, c < 0 ? -1 : 1);
   const double factor = rodrigues_factor(c, sine_squared);
   const double kx = -v.y, ky = v.x;
@@ -31,7 +32,7 @@ Transform<World, World> gaze_to_minus_z(const Vector<World, double>& v) {
   return r;
 }
 
-// Turns the direction (x, y) to +y.
+// The rotation about z that turns the direction (x, y) to +y.
 Transform<Eye, World> roll_up(double x, double y) {
   const double length = std::sqrt(x * x + y * y);
   Transform<Eye, World> r;

@@ -15,8 +15,9 @@ Facing facing_of(double value) {
   return value < 0 ? Facing::kFront : Facing::kEdgeOn;
 }
 
-// m relative to the first corner, and the same sums with all terms positive: |error of m| <= gamma
-// * size.
+// The polygon's Newell vector m, computed from positions relative to the first corner. `size` is
+// the same sum with all terms positive: |error of m| <= gamma_n * size, where n is the number of
+// roundings in a term.
 struct NewellWithSize {
   Vector<Object, double> m;
   Vector<Object, double> size;
@@ -47,9 +48,10 @@ NewellWithSize newell_with_size(std::span<const Point<Object>> polygon) {
 
 using Difference = Expansion<2>;
 
-// A sum of n fan triangles, n < 2^32, has its bits between 2^-550 and 2^520: floats and coordinates
-// of valid viewers have none below 2^-149 and 2^-252, and none above 2^128 and 2^201. Terms do not
-// share bits, so this capacity is enough.
+// An exact sum over n < 2^32 fan triangles has bits between 2^-550 and 2^520 only, because each
+// term is a product of two differences of floats (bits from 2^-149 to 2^128) and one with a
+// coordinate of a valid viewer (bits from 2^-252 to 2^201). No two terms of an expansion have bits
+// of the same value, so 1100 terms are enough.
 using FanSum = Expansion<1100>;
 
 int exact_sign(std::span<const Point<Object>> polygon, const ObjectViewer& viewer) {
@@ -78,10 +80,11 @@ int exact_sign(std::span<const Point<Object>> polygon, const ObjectViewer& viewe
   return sum.sign();
 }
 
-// The 3x3 linear part of rows i, j, k, and the quantities that Cramer's rule needs.
+// The quantities that Cramer's rule needs for three rows of a transform: for the 3x3 matrix of
+// their first three columns.
 struct Linear {
   std::array<std::array<double, 3>, 3> adjugate;       // adjugate * matrix = determinant * identity
-  std::array<std::array<double, 3>, 3> adjugate_size;  // the same with all terms positive
+  std::array<std::array<double, 3>, 3> adjugate_size;  // the adjugate with all terms positive
   double determinant;
   double determinant_size;
 };
@@ -109,8 +112,9 @@ Linear linear_part(const Transform<Target, Object>& t, int row0, int row1, int r
 }
 
 bool is_singular_within_rounding(const Linear& linear) {
-  // 2 roundings in a term of the adjugate, then a product and two sums. Not "<=": NaN counts as
-  // singular too.
+  // A term of the determinant has 5 roundings: 2 in the adjugate, then a product and two sums. With
+  // the factor 2, the error is less than half of a determinant that passes. The comparison is not
+  // written as "<=", so that NaN means singular too.
   return !(std::abs(linear.determinant) > 2 * gamma<double>(5) * linear.determinant_size);
 }
 
@@ -121,7 +125,7 @@ std::optional<ObjectViewer> viewer_in_object_space(const Transform<Eye, Object>&
                                                    const Point<Eye, double>& viewpoint) {
   const Linear linear = linear_part(eye_from_object, 0, 1, 2);
   if (is_singular_within_rounding(linear)) return std::nullopt;
-  // The right-hand side of linear * (eye or gaze) = right.
+  // The right-hand side of the equations linear * eye_or_gaze = right.
   const std::array<double, 3> right = perspective
                                           ? std::array{viewpoint.x - eye_from_object.at(0, 3),
                                                        viewpoint.y - eye_from_object.at(1, 3),
@@ -137,9 +141,11 @@ std::optional<ObjectViewer> viewer_in_object_space(const Transform<Eye, Object>&
       size += linear.adjugate_size[i][k] * std::abs(right[k]);
     }
     solution[i] = sum / linear.determinant;
-    // Numerator: 2 roundings in the adjugate, one in `right`, one product, three sums. Denominator:
-    // 5 roundings relative to its size; at most half of it is lost (is_singular_within_rounding),
-    // which doubles both terms. One division. 2^-200 for coordinates set to zero.
+    // The numerator has 7 roundings (2 in the adjugate, one in `right`, one product, three sums),
+    // the determinant 5, and the division is one more; gamma(8) is enough for each of the two
+    // terms. At least half of the determinant is correct (is_singular_within_rounding), so its
+    // error at most doubles both terms. 2^-200 is added because smaller coordinates are set to
+    // zero.
     const double determinant = std::abs(linear.determinant);
     error[i] =
         2 * gamma<double>(8) * size / determinant +
@@ -167,9 +173,10 @@ BackFaceTest test_back_face(std::span<const Point<Object>> polygon, const Object
           ? Vector<Object, double>(double(p.x) - v.x, double(p.y) - v.y, double(p.z) - v.z)
           : v;
   test.value = dot(newell.m, sight);
-  // Per term of m: two roundings from the corners' differences, two from their difference and sum,
-  // one product, at most N sums; then one for the sight, one product, two sums. The sizes and this
-  // bound have as many roundings, which a second gamma covers: N + 9 becomes N + 12.
+  // A term of `value` for a polygon of N corners has at most N + 9 roundings. In m: two for the
+  // corners relative to the first, two for their difference and sum, one product, at most N sums.
+  // Then: one for the sight, one product, two sums. `size` and this bound are rounded, too; N + 12
+  // instead of N + 9 covers that.
   const double size = newell.size.x * std::abs(sight.x) + newell.size.y * std::abs(sight.y) +
                       newell.size.z * std::abs(sight.z);
   test.bound = double(polygon.size() + 12) * unit_roundoff<double> * size;
@@ -191,7 +198,7 @@ double snapping_margin(const Transform<Clip, Object>& clip_from_object, const Ob
   if (viewer.perspective) {
     const Linear linear = linear_part(clip_from_object, 0, 1, 3);
     if (is_singular_within_rounding(linear)) return std::numeric_limits<double>::infinity();
-    // A lower bound: the computed determinant minus its error.
+    // A lower bound of the exact |determinant|: the computed one minus its error bound.
     scale = std::abs(linear.determinant) - gamma<double>(5) * linear.determinant_size;
   } else {
     const Vector<Object, double> x(clip_from_object.at(0, 0), clip_from_object.at(0, 1),
@@ -203,7 +210,7 @@ double snapping_margin(const Transform<Clip, Object>& clip_from_object, const Ob
     scale = std::sqrt(dot(area, area) / dot(g, g)) * (1 - 0x1p-40);
   }
   const double w = viewer.perspective ? largest_w : 1;
-  // The last factor covers the few roundings in this expression itself.
+  // The last factor covers the few roundings in this expression.
   const double margin = area_change * (w * w * w) / (half_pixels * scale) * (1 + 0x1p-40);
   return margin >= 0 ? margin : std::numeric_limits<double>::infinity();
 }

@@ -7,8 +7,8 @@
 // outside" here, regardless of what the model matrix does later.
 //
 // This test saves work; it does not decide the picture. The picture is decided by the sign of the
-// triangle's area after snapping to the subpixel grid (raster/). So a triangle may be left out here
-// only where snapping cannot change the answer: see certainly_back().
+// triangle's area after snapping to the subpixel grid (raster/). So this test may leave a triangle
+// out only if snapping cannot change the sign: see certainly_back().
 #pragma once
 
 #include <optional>
@@ -38,22 +38,22 @@ std::optional<ObjectViewer> viewer_in_object_space(const Transform<Eye, Object>&
                                                    bool perspective,
                                                    const Point<Eye, double>& viewpoint = {});
 
-// kEdgeOn: the eye is exactly in the face's plane, or the face has no area. Such a face counts as
-// front (C-27) and covers no pixel.
+// kEdgeOn: the eye is exactly in the face's plane, or the face has no area. Such a face is treated
+// as a front face (C-27); it covers no pixel.
 enum class Facing { kFront, kEdgeOn, kBack };
 
 struct BackFaceTest {
   Facing facing = Facing::kFront;  // exactly right for the given viewer
-  double value = 0;                // (P - eye) . m as computed; cubic object units for perspective
+  double value = 0;                // (P - eye) . m as computed (top of file); parallel: gaze . m
   double bound = 0;  // upper bound of the rounding error of `value` (docs/references.md, bound 7)
-  double viewer_error_bound = 0;  // upper bound of what the error of the viewer can add
+  double viewer_error_bound = 0;  // how much the error of the viewer can change `value`
   bool used_exact = false;        // |value| <= bound: exact arithmetic (expansions) decided
 };
 
 // `polygon` holds the corners in counter-clockwise order seen from outside; fewer than three
-// corners are edge-on. Positions are finite. The exact sign is the sign of the sum over the
-// triangle fan of the determinants |V0 - eye, Vi - V0, Vi+1 - V0|, which is (V0 - eye) . m for the
-// exact Newell vector m.
+// corners are edge-on. Positions are finite. The exact sign is the sign of the sum of the
+// determinants |V0 - eye, Vi - V0, Vi+1 - V0| over the triangles (V0, Vi, Vi+1) of the corners'
+// fan; this sum is (V0 - eye) . m for the exact Newell vector m.
 BackFaceTest test_back_face(std::span<const Point<Object>> polygon, const ObjectViewer& viewer);
 
 // Whether the face may be left out: it is still a back face after `snapping_margin` is subtracted
@@ -62,10 +62,11 @@ inline bool certainly_back(const BackFaceTest& test, double snapping_margin) {
   return test.value > test.bound + test.viewer_error_bound + snapping_margin;
 }
 
-// The value below which snapping may reverse a triangle's winding, for triangles that reach the
-// raster stages without being clipped.
+// If a triangle's BackFaceTest::value is below this margin, snapping may reverse the triangle's
+// winding. It holds for triangles that reach the raster stages without being clipped.
 //
-// The screen maps value to area: for a perspective view, twice the signed area in px^2 is
+// Reason: `value` is proportional to the area on the screen. For a perspective view and a viewport
+// of W x H pixels, twice the signed area in px^2 is
 //     a = -(W H / 4) det(A) value / (w0 w1 w2),
 // A being the 3x3 linear part of the rows x, y, w of clip_from_object and w0, w1, w2 the corners'
 // w. Moving each coordinate of each corner by at most s moves each of the two edge vectors (u, v)
@@ -73,7 +74,8 @@ inline bool certainly_back(const BackFaceTest& test, double snapping_margin) {
 // edges of at most L px in x and in y. So a cannot change sign where value > (8 s L + 8 s^2) w^3 /
 // ((W H / 4) |det A|). A parallel projection has w = 1 and
 //     a = -(W H / 4) (row x) x (row y) . m,
-// and the gaze g is a multiple of that cross product, so the factor is the ratio of the lengths.
+// and the gaze g is a multiple of that cross product, so |det A| is replaced by the ratio of their
+// lengths.
 //
 // largest_w: the largest w of the corners. longest_edge_px: the largest |dx| or |dy| of the edges
 // (the guard band's 2^16 is always safe). displacement_px: how far snapping (2^-9) and the rounding

@@ -15,12 +15,14 @@ constexpr double kHalfSubnormal = 0x1p-150;
 constexpr double kRoundUp = 1 + 0x1p-40;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The product, but 0 times infinity is 0: an unknown factor that is not used has no effect.
+// The product, except that 0 times infinity is 0: an infinite error bound has no effect if the
+// number is multiplied by 0.
 double times(double a, double b) {
   return a == 0 || b == 0 ? 0 : a * b;
 }
 
-// Exact: the product of two floats is a double.
+// The rounding error of the float product a * b. It is exact, because the product of two floats
+// fits into a double.
 double rounding_of_product(float a, float b) {
   return std::abs(double(a) * double(b) - double(a * b));
 }
@@ -88,8 +90,8 @@ glm::dmat4 product_bound(const glm::dmat4& a, const glm::dmat4& b, const glm::dm
 }
 
 DivideBound divide_bound(const Point<Clip>& clip, const glm::dvec4& clip_bound) {
-  // With x = x' + ex and w = w' + ew the exact values: x/w - x'/w' = (ex - (x'/w') ew)/w, and |w|
-  // >= |w'| - |ew|.
+  // Let x' and w' be the computed values, x = x' + ex and w = w' + ew the exact ones. Then x/w -
+  // x'/w' = (ex - (x'/w') ew)/w, and |w| >= |w'| - |ew|.
   const double w = std::abs(double(clip.w));
   const double smallest_w = w - clip_bound.w;
   if (!(smallest_w > 0)) return {glm::dvec3(kInfinity), kInfinity};
@@ -118,8 +120,8 @@ glm::dvec3 divide_condition(const Point<Clip>& clip, const glm::dvec4& clip_magn
 
 glm::dvec3 screen_bound(const Point<Ndc>& ndc, const glm::dvec3& ndc_bound,
                         const Viewport& viewport) {
-  // `from` and `to` are in the order of to_screen: the scale is (to - from)/2, the centre their
-  // mean.
+  // `from` and `to` are the pixel coordinates of NDC -1 and 1. As in to_screen, the scale is (to -
+  // from)/2, and the centre is their mean.
   const auto bound = [](float coordinate, double coordinate_bound, float from, float to) {
     const double scale = (to - from) * 0.5f, centre = (to + from) * 0.5f;
     const double scale_bound = std::abs(scale - (double(to) - double(from)) / 2);
@@ -135,7 +137,7 @@ glm::dvec3 screen_bound(const Point<Ndc>& ndc, const glm::dvec3& ndc_bound,
 }
 
 SnapStability snap_stability(float pixels, double bound) {
-  // Exact: 256 is a power of two, and the bits of the float and of 0.5 fit into a double.
+  // This is exact: 256 is a power of two, and the bits of the float and of 0.5 fit into a double.
   const double scaled = double(pixels) * 256 + 0.5;
   const double below = std::floor(scaled);
   SnapStability snap;

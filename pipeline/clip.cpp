@@ -20,8 +20,8 @@ float round_to_float(double x) {
   return float(std::clamp(x, -kLargestFloat, kLargestFloat));
 }
 
-// Sets the plane's own coordinate so that the point is on the plane, given the other coordinates as
-// rounded.
+// Moves a rounded point onto the plane: recomputes one coordinate from the plane's equation and the
+// rounded w. That is x, y or z if the plane has only one of these, or w if it has none.
 void put_on_plane(const ClipPlane& plane, Point<Clip>& p) {
   const int coordinates = int(plane.a != 0) + int(plane.b != 0) + int(plane.c != 0);
   const auto solve = [](double others, double coefficient) {
@@ -36,10 +36,10 @@ void put_on_plane(const ClipPlane& plane, Point<Clip>& p) {
 }
 
 // The point where the edge from p to q crosses the plane; their distances have opposite signs.
-// Swapping the ends only swaps the terms of sums, which changes no bit.
+// Swapping p and q only swaps the terms of sums, which changes no bit of the result.
 //
-// Nothing overflows: coordinates are below 2^128, distances below 2^200 * 2^130. A result between
-// two floats rounds to one of them or to a float between them.
+// Nothing overflows: coordinates are below 2^128, distances below 2^200 * 2^130. The result lies
+// between two floats, so it rounds to one of them or to a float between them.
 ClipVertex crossing(const ClipPlane& plane, const ClipVertex& p, double p_distance,
                     const ClipVertex& q, double q_distance) {
   const double p_size = std::abs(p_distance), q_size = std::abs(q_distance);
@@ -62,10 +62,11 @@ ClipVertex crossing(const ClipPlane& plane, const ClipVertex& p, double p_distan
 using Distances = decltype(ClipStep::distances);
 
 // In exact arithmetic the vertices outside a plane are consecutive, because the polygon is convex
-// and flat. Earlier crossings were rounded, so a polygon that is nearly in the plane may cross
-// below it twice. Then only the deepest dip is cut off, and the vertices of the other dips, which
-// are outside by no more than rounding, count as on the plane. So each plane adds one vertex at
-// most, and kMaxClipVertices are enough for any input.
+// and flat. Earlier crossings were rounded, so a polygon that is nearly in the plane may have two
+// separate runs of vertices outside it. Then only the run with the most distant vertex is cut off.
+// The other vertices outside, which are outside only because of rounding, get the distance 0, as if
+// they were on the plane. So each plane adds one vertex at most, and kMaxClipVertices are enough
+// for any input.
 void keep_deepest_dip(Distances& distances, int count) {
   const auto at = [&](int i) -> double& { return distances[std::size_t((i + count) % count)]; };
   int deepest = 0;
@@ -111,8 +112,8 @@ ClipStep clip_by_plane(const ClipPolygon& polygon, const ClipPlane& plane) {
   return step;
 }
 
-// Removes vertices that have the position of the one before them, and polygons of less than a
-// triangle.
+// Removes each vertex that has the same position as the vertex before it. If fewer than three
+// vertices are left, the result is empty.
 ClipPolygon without_repetitions(const ClipPolygon& polygon) {
   ClipPolygon tidy;
   for (int i = 0; i < polygon.count; ++i) {
@@ -160,7 +161,8 @@ std::array<ClipPlane, 4> guard_band_planes(const Viewport& viewport) {
 
 std::array<ClipPlane, kMaxClipPlanes> render_planes(const View& view) {
   const std::array<ClipPlane, 6> frustum = frustum_planes(view.depth_range);
-  // A float, so that w can be equal to it; not subnormal, so that 1/w is finite.
+  // The smallest w is a float, so that the w of a vertex can be equal to it, and not subnormal, so
+  // that 1/w is finite.
   const double smallest_w =
       std::max(double(std::numeric_limits<float>::min()),
                double(round_to_float(view.perspective ? view.near / 2 : 0.5)));
@@ -211,8 +213,8 @@ bool may_overflow(const Box<Object>& box, const Transform<Clip, Object, float>& 
 PlaneOverBoxes::PlaneOverBoxes(const ClipPlane& plane,
                                const Transform<Clip, Object, float>& clip_from_object) {
   const std::array<double, 4> coefficients{plane.a, plane.b, plane.c, plane.d};
-  // Four roundings of the float transform; a dozen in double here and in distance_range(), and
-  // a few in the error bound itself.
+  // The relative error of a term: four roundings of the float transform, a dozen in double here and
+  // in distance_range(), and a few in the error bound itself.
   constexpr double kShare = gamma<float>(4) * (1 + 0x1p-40) + gamma<double>(20);
   std::array<double, 4> slope{}, error{};
   for (std::size_t row = 0; row < 4; ++row) {
@@ -221,7 +223,7 @@ PlaneOverBoxes::PlaneOverBoxes(const ClipPlane& plane,
       slope[k] += term;
       error[k] += kShare * std::abs(term);
     }
-    error[3] += std::abs(coefficients[row]) * (4 * 0x1p-149);  // products may be subnormal
+    error[3] += std::abs(coefficients[row]) * (4 * 0x1p-149);  // for products that are subnormal
   }
   slope_ = {slope[0], slope[1], slope[2]};
   error_ = {error[0], error[1], error[2]};
@@ -248,7 +250,7 @@ ClipVerdict classify_box(const Box<Object>& box,
                          const Transform<Clip, Object, float>& clip_from_object,
                          std::span<const ClipPlane> planes) {
   if (box.empty()) return ClipVerdict::kReject;
-  // So each vertex has to be tested.
+  // The bounds below do not hold if a coordinate overflows, so each vertex has to be tested.
   if (may_overflow(box, clip_from_object)) return ClipVerdict::kClip;
   bool inside_all = true;
   for (const ClipPlane& plane : planes) {

@@ -1,14 +1,16 @@
 // Clipping in homogeneous clip space, before the divide (S3-11, S3-13; Blinn and Newell 1978;
-// Sutherland and Hodgman 1974). Without it the divide would map points behind the eye to the front.
+// Sutherland and Hodgman 1974). Without clipping, the divide would map points behind the eye to
+// positions in front of it.
 //
 // There is one clipper for all uses. `render` passes render_planes(): triangles that leave the
-// screen are kept up to the guard band, so their edges do not move. Labs and studies pass the six
-// planes of the frustum.
+// screen are not clipped inside the guard band, so rounded crossings do not move their edges. Labs
+// and studies pass the six planes of the frustum.
 //
 // The clipper is watertight by construction. The point where an edge A-B crosses a plane depends on
 // A and B alone, not on their order: it is (A |dB| + B |dA|) / (|dA| + |dB|) per coordinate in
-// double, rounded once to float. Two triangles that share an edge get the same bits for the
-// crossing, for each plane in turn (C-38, B.1).
+// double, where dA and dB are the distances of A and B from the plane, rounded once to float. Two
+// triangles that share an edge get the same bits for the crossing, for each plane in turn (C-38,
+// B.1).
 #pragma once
 
 #include <array>
@@ -25,8 +27,8 @@
 namespace glassbox {
 
 // The half-space a x + b y + c z + d w + e >= 0 of clip space. With e = 0 the result does not
-// depend on the scale of (x, y, z, w). For the eye plane, w >= e, it does, because w is a distance
-// along the gaze.
+// depend on the scale of (x, y, z, w). For the eye plane, w + e >= 0 with e < 0, it does, because w
+// is a distance along the gaze.
 struct ClipPlane {
   double a = 0, b = 0, c = 0, d = 0, e = 0;
   const char* name = "";
@@ -48,21 +50,21 @@ std::array<ClipPlane, 4> guard_band_planes(const Viewport& viewport);
 // The planes that `render` clips by, in this order: near; eye (w >= near/2 for perspective, 1/2 for
 // parallel views); far; guard band.
 //
-// In exact arithmetic the eye plane follows from the near plane. With rounded matrices it does not:
-// z and w are rounded separately, and a large offset may give z >= 0 where w <= 0. After clipping w
-// >= near/2 always holds, so that nothing divides by zero (C-33).
+// In exact arithmetic every point inside the near plane is inside the eye plane. With rounded
+// matrices it need not be: z and w are rounded separately, and a large offset may give z >= 0 where
+// w <= 0. After clipping w >= near/2 always holds, so that nothing divides by zero (C-33).
 //
 // For an infinite far plane of the standard range the far plane is z = w itself, and rounding puts
 // every distant point on one side of it or the other. So z <= 2 w is used instead: it cuts only
 // rounding noise and keeps z/w finite. A depth of slightly more than 1 is possible then.
 std::array<ClipPlane, kMaxClipPlanes> render_planes(const View& view);
 
-// The indices of these planes in the array; the four of the guard band follow.
+// The indices in the array of render_planes(); the four planes of the guard band follow.
 inline constexpr std::size_t kNearPlane = 0, kEyePlane = 1, kFarPlane = 2;
 
-// a x + b y + c z + d w + e in double. The sign is exact, and 0 only on the plane, for coefficients
-// that are zero or of size 2^-200 .. 2^200 (base/expansion.h). The value is correct to a few ulps
-// of its largest term.
+// The plane's a x + b y + c z + d w + e for the position, in double. The sign is exact, and 0 only
+// on the plane, for coefficients that are zero or of size 2^-200 .. 2^200 (base/expansion.h). The
+// value is correct to a few ulps of its largest term.
 double signed_distance(const ClipPlane& plane, const Point<Clip>& position);
 
 // Bit i is set where the point is outside planes[i] (distance < 0; at most 31 planes). kNotFinite
@@ -72,12 +74,12 @@ inline constexpr Outcode kNotFinite = 0x80000000u;
 Outcode outcode(const Point<Clip>& position, std::span<const ClipPlane> planes);
 
 // kAccept: all vertices are inside all planes, so clipping would change nothing (C-42). kReject:
-// all are outside one plane, or one of them is not finite.
+// all vertices are outside the same plane, or a vertex is not finite.
 enum class ClipVerdict { kReject, kAccept, kClip };
 ClipVerdict trivial_verdict(std::span<const Outcode> outcodes);
 
-// Whether some clip coordinate of a vertex in the box may overflow the range of float, or come near
-// to it.
+// Whether a clip coordinate of some vertex in the box may overflow the range of float, or be more
+// than half of its largest number.
 bool may_overflow(const Box<Object>& box, const Transform<Clip, Object, float>& clip_from_object);
 
 // The range of signed_distance() over boxes of object space, without transforming their contents.
@@ -93,7 +95,7 @@ public:
     double least = 0, greatest = 0;
   };
   Distances distance_range(const Box<Object>& box) const;
-  // The same for a box given by its centre and half its size.
+  // The range for a box given by its centre and half its size.
   Distances distance_range(const Point<Object, double>& centre,
                            const Vector<Object, double>& half) const;
 
@@ -125,14 +127,15 @@ struct ClipStep {
 // positions are equal after rounding are merged (C-35). The result is empty where less than a
 // triangle remains, or where a position is not finite.
 //
-// A crossing is exactly on its plane. With one of a, b, c non-zero, that coordinate is computed
-// from the rounded w (z = 0, z = w, x = -w, x = round(k w), ...); with none of them non-zero, w is
-// computed. The other coordinates are between those of the two ends. A condition such as x <= w, -w
-// <= x or 0 <= z that both ends satisfy holds for the crossing too, since rounding is monotonic.
-// For finite input nothing becomes infinite or NaN.
+// A crossing (of an edge and a plane) is exactly on its plane. If only one of the plane's a, b, c
+// is not zero, the coordinate x, y or z that belongs to it is computed from the rounded w (z = 0, z
+// = w, x = -w, x = round(k w), ...). If all three are zero, w is computed. The other coordinates
+// are between those of the edge's two ends. A condition such as x <= w, -w <= x or 0 <= z that both
+// ends satisfy holds for the crossing too, since rounding is monotonic. For finite input nothing
+// becomes infinite or NaN.
 //
-// `steps`, unless null, receives the result of each plane, up to the first that leaves nothing. The
-// last polygon in it may still repeat positions.
+// `steps`, unless null, receives the result of clipping by each plane, up to the first plane that
+// leaves nothing. Its last polygon may still repeat positions, which the returned one does not.
 ClipPolygon clip_triangle(const std::array<ClipVertex, 3>& triangle,
                           std::span<const ClipPlane> planes,
                           std::vector<ClipStep>* steps = nullptr);
@@ -141,8 +144,8 @@ ClipPolygon clip_triangle(const std::array<ClipVertex, 3>& triangle,
 int fan_size(const ClipPolygon& polygon);
 std::array<ClipVertex, 3> fan_triangle(const ClipPolygon& polygon, int i);
 
-// The part of a segment inside all planes. Returns nothing where nothing is left, or only one point
-// of a longer segment.
+// The part of a segment inside all planes. Returns nothing if nothing is left, or if only one point
+// is left of a segment with two different ends.
 std::optional<std::array<ClipVertex, 2>> clip_segment(const std::array<ClipVertex, 2>& segment,
                                                       std::span<const ClipPlane> planes);
 

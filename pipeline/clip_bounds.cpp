@@ -11,15 +11,15 @@ namespace {
 constexpr double kU = unit_roundoff<float>;
 constexpr double kHalfSubnormal = 0x1p-150;
 constexpr double kRoundUp = 1 + 0x1p-40;
-// Three products, a sum and a quotient in double. They matter for the weights, which stay in
-// double.
+// A bound of the rounding errors of crossing() (clip.cpp) in double: products, sums and a quotient.
+// It is added for the weights only, which stay in double; positions are rounded to float.
 constexpr double kInDouble = 8 * unit_roundoff<double>;
 
 double times(double a, double b) {
   return a == 0 || b == 0 ? 0 : a * b;
 }
 
-// The coordinate that put_on_plane (clip.cpp) sets, or -1.
+// The index of the coordinate that put_on_plane (clip.cpp) recomputes from the plane, or -1.
 int own_coordinate(const ClipPlane& plane) {
   const int coordinates = int(plane.a != 0) + int(plane.b != 0) + int(plane.c != 0);
   if (coordinates == 0) return plane.d != 0 ? 3 : -1;
@@ -60,7 +60,7 @@ ClipVertexBound crossing_bound(const ClipPlane& plane, const ClipVertex& p,
   }
   const int own = own_coordinate(plane);
   if (own == 3) {
-    bound.position.w = 0;  // the plane's w is a float
+    bound.position.w = 0;  // w was set to -e/d, which is a float
   } else if (own >= 0) {
     const double coefficient = std::abs(own == 0 ? plane.a : own == 1 ? plane.b : plane.c);
     const double slope = std::abs(plane.d) / coefficient;

@@ -1,4 +1,5 @@
-// The other common conventions; one matrix converts each of them to ours (docs/conventions.md).
+// Other common conventions for coordinates and matrices, and the conversions between them and ours
+// (docs/conventions.md).
 //
 //   ours                      dialect                     adaptor
 //   Eye: looks down -z        EyeLeft: z into the scene   eye_left_from_eye (its own inverse)
@@ -35,15 +36,15 @@ inline Transform<Eye, EyeLeft> eye_from_eye_left() {
 }
 
 // z' = 2z - w, so that depth 0 .. 1 becomes -1 .. 1. The near plane is z >= 0 before and z >= -w
-// after. Clipping the vertices of one dialect by the near plane of the other is the error of E16
-// and C-41.
+// after. It is a well-known mistake to clip the vertices of one dialect by the near plane of the
+// other (E16, C-41).
 inline Transform<ClipGl, Clip> clip_gl_from_clip() {
   Transform<ClipGl, Clip> m;
   m.at(2, 2) = 2;
   m.at(2, 3) = -1;
   return m;
 }
-// z' = (z + w)/2.
+// z' = (z + w)/2, so that depth -1 .. 1 becomes 0 .. 1.
 inline Transform<Clip, ClipGl> clip_from_clip_gl() {
   Transform<Clip, ClipGl> m;
   m.at(2, 2) = 0.5;
@@ -57,8 +58,9 @@ constexpr double depth_from_gl_depth(double z_gl) {
   return (z_gl + 1) / 2;
 }
 
-// z' = w - z: depth 1 at the near plane. Correct for any clip matrix, but the subtraction cancels
-// digits: the projections of projection.h write their reversed entries without it.
+// z' = w - z: depth 1 at the near plane. This is correct after any clip matrix, but the subtraction
+// cancels digits. So the projections of projection.h do not use it: they have formulas of their own
+// for reversed depth.
 inline Transform<Clip, Clip> reverse_depth() {
   Transform<Clip, Clip> m;
   m.at(2, 2) = -1;
@@ -69,11 +71,11 @@ constexpr double reversed_depth(double z) {
   return 1 - z;
 }
 
-// The stereo skew of S0.21, applied in eye space before the projection: x' = x + s (1 - z/f) where
-// z is the distance along the gaze, so that points at the distance f do not move. The slide's
-// left-handed form has -s/f at [0][2]; for an eye that looks down -z the sign of that entry is the
-// opposite. `shift` is in world units (half the interaxial distance for the left eye, minus that
-// for the right one); `focus` > 0 in world units.
+// The stereo skew of S0.21, applied in eye space before the projection: x' = x + s (1 - z/f), where
+// z is the distance along the gaze, s is `shift` and f is `focus`. So points at the distance f do
+// not move. The slide's left-handed form has -s/f at [0][2]; for an eye that looks down -z the sign
+// of that entry is the opposite. `shift` is in world units (half the interaxial distance for the
+// left eye, minus that for the right one); `focus` > 0 in world units.
 inline Transform<EyeLeft, EyeLeft> stereo_skew_left_handed(double shift, double focus) {
   Transform<EyeLeft, EyeLeft> m;
   m.at(0, 2) = -shift / focus;

@@ -9,7 +9,7 @@ namespace glassbox {
 // would sometimes be wrong by an ulp.
 //
 // For w = 1, a parallel projection, nothing is divided: the bits are the same as those of a
-// division, so this stage may be left out. Any w that is not zero is allowed, negative ones too
+// division, so this stage may be left out. Any w that is not zero is allowed, also a negative one
 // (for vertices that are inspected before clipping). After clipping by render_planes() w is at
 // least near/2.
 inline NdcVertex divide(const Point<Clip>& clip) {

@@ -10,8 +10,8 @@
 namespace glassbox {
 namespace {
 
-// The values that the forms are computed from: the near and far plane, and the window on the near
-// plane.
+// The values that the forms of a projection matrix are computed from: the near and far plane, and
+// the window on the near plane.
 struct Pyramid {
   double near = 0, far = 0;
   double tan_half_height = 0;  // of the vertical angle
@@ -56,7 +56,7 @@ Result<Transform<Clip, Eye>> from_alpha_beta(const Pyramid& p) {
       .map([](const Transform<Clip, EyeLeft>& m) { return m * eye_left_from_eye(); });
 }
 
-// The product with diag(1, 1, -1, 1) has -0 where there were zeros.
+// Replaces -0 by 0: the product with diag(1, 1, -1, 1) turns some zeros into -0.
 Transform<Clip, Eye> without_negative_zeros(Transform<Clip, Eye> m) {
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) m.at(row, column) += 0.0;
@@ -107,7 +107,8 @@ Result<View> make_view(const Camera& camera, int width, int height, DepthRange d
     view->clip_from_eye = *made;
   }
   if (formulation.view == ViewForm::kAxisAngle) {
-    // The axes as make_view has repaired them; the eye as the camera gives it.
+    // The axes are those of make_view, which has made them exactly perpendicular; the eye's
+    // position is the camera's own.
     Transform<World, Eye> pose = camera.world_from_eye;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column)
@@ -135,7 +136,7 @@ std::optional<PerspectiveFactors> perspective_factors(const Transform<Clip, Eye>
   PerspectiveFactors factors;
   for (int axis = 0; axis < 2; ++axis) {
     factors.scale.at(axis, axis) = m.at(axis, axis);
-    // z is positive along the gaze here.
+    // The factors are for a left-handed eye, where z is positive along the gaze.
     factors.shear.at(axis, 2) = -m.at(axis, 2) + 0.0;
     factors.shear.at(axis, 3) = m.at(axis, 3);
     factors.has_shear = factors.has_shear || m.at(axis, 2) != 0 || m.at(axis, 3) != 0;

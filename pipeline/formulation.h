@@ -11,10 +11,10 @@
 //                   kAlphaBeta    from half the horizontal angle, and z' = alpha + beta/z
 //                                 (S3-12, S3-14)
 //
-// In double, the entries of the rotations differ by at most 16 u. The entries of clip_from_eye
-// differ only by rounding: by 12 ulps, and for kAlphaBeta, whose angle is rounded, by 4 times
-// fov_condition() of the horizontal angle more. After rounding to float most entries are equal, and
-// the rest are neighbouring floats.
+// In double, the entries of the rotations differ by at most 16 u (u is the unit roundoff, 2^-53).
+// The entries of clip_from_eye differ only by rounding: by 12 ulps, and for kAlphaBeta, whose angle
+// is rounded, by 4 times fov_condition() of the horizontal angle more. After rounding to float most
+// entries are equal, and the rest are neighbouring floats.
 #pragma once
 
 #include <optional>
@@ -36,30 +36,31 @@ struct Formulation {
   friend bool operator==(const Formulation&, const Formulation&) = default;
 };
 
-// make_view with its matrices computed in these ways. Errors, besides those of make_view: a
+// make_view with its matrices computed as `formulation` says. Errors, besides those of make_view: a
 // projection form other than kPerspective for a parallel lens; kTPers and kAlphaBeta with reversed
 // depth, or with a window that is not centred on the gaze.
 Result<View> make_view(const Camera& camera, int width, int height, DepthRange depth_range,
                        const Formulation& formulation);
 
-// ---- the factors, for whoever wants to look at them ----
+// ---- the factors of the matrices, to be shown one by one ----
 
 // The factors of kAxisAngle. The pose must be rigid.
 AxisAngleFactors axis_angle_factors(const Transform<World, Eye>& world_from_eye);
 
-// The space between the scaling and the box: the viewing pyramid with a right angle at its top,
-// |x|, |y| <= z.
+// The space after PerspectiveFactors::scale and before its clip_from_pyramid: there the viewing
+// pyramid has a right angle at its top, |x|, |y| <= z.
 struct RegularPyramid {};
 
 // A perspective matrix as a sequence of steps for the slides' left-handed eye (S4.18-20). The
 // product clip_from_pyramid * shear * scale * eye_left_from_eye() is clip_from_eye bit for bit.
 struct PerspectiveFactors {
-  // diag(d/h, d/h, 1, 1), or different scales for x and y.
+  // diag(d/h, d/h, 1, 1), where h is the half-height of the window at the distance d, or different
+  // scales for x and y.
   Transform<RegularPyramid, EyeLeft> scale;
-  // The identity, except for windows that are not centred on the gaze and for the eyes of a stereo
+  // The identity, unless the window is not centred on the gaze or the view is an eye of a stereo
   // pair.
   Transform<RegularPyramid, RegularPyramid> shear;
-  // Maps the pyramid to the box: x and y stay, depth and w are computed.
+  // Maps the pyramid to clip space: x and y do not change, depth and w are computed.
   Transform<Clip, RegularPyramid> clip_from_pyramid;
   bool has_shear = false;
 };

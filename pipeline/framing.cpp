@@ -15,7 +15,8 @@
 namespace glassbox {
 namespace {
 
-// Half of float's exponent range is left for the distances around the box.
+// The limit is well below float's largest number, 2^128, so that distances around the box do not
+// overflow.
 constexpr double kLargestCoordinate = 0x1p100;
 
 Result<void> check_bounds(const Box<World>& bounds) {
@@ -68,7 +69,8 @@ Result<Interval> depths_of(const Transform<World, Eye>& world_from_eye, const Bo
   return depths;
 }
 
-// 1 % of the box's depth; of its distance where it has no depth; of 1 at the eye itself.
+// The margin: 1 % of the range of depths; if the range is empty, 1 % of the distance; if that is 0
+// too, 0.01.
 double margin_of(const Interval& depths) {
   const double extent = depths.high - depths.low;
   const double distance = std::max(std::abs(depths.low), std::abs(depths.high));
@@ -120,7 +122,7 @@ Result<Camera> frame_points(const ForEachPoint& for_each_point, double aspect,
   const SinCos elevation = sin_cos_degrees(options.elevation_degrees);
   const Vector<World, double> with_y_up{elevation.cos * azimuth.sin, elevation.sin,
                                         elevation.cos * azimuth.cos};
-  // camera_pose refuses an `up` without a direction.
+  // If `up` has no direction, +y is used here, and camera_pose below reports the error.
   const Vector<World, double> towards_eye =
       turned_upright(with_y_up, unit(options.up).value_or(Vector<World, double>{0, 1, 0}));
   const Result<Transform<World, Eye>> turned_pose =
@@ -133,8 +135,8 @@ Result<Camera> frame_points(const ForEachPoint& for_each_point, double aspect,
   for_each_point([&](const Point<World, double>& p) { box.include(turned * p); });
   const Point<Eye, double> center = box.center();
 
-  // From a distance D of the centre, a point at x to the side and at z towards the eye is within
-  // the picture if |x| <= (D - z) tan(half the angle); likewise for its height.
+  // Seen from the distance D, a point that is x to the side of the centre and z nearer to the eye
+  // is within the picture if |x| <= (D - z) tan(half the angle); likewise for its height.
   const double up = tan_half_degrees(options.fovy_degrees) / options.margin;
   const double across = aspect * up;
   double distance = 0;
@@ -153,7 +155,8 @@ Result<Camera> frame_points(const ForEachPoint& for_each_point, double aspect,
   camera.world_from_eye.at(1, 3) = eye.y;
   camera.world_from_eye.at(2, 3) = eye.z;
 
-  // Leave 1 % of the distance of the nearest and of the farthest point as a margin.
+  // The margin at the near and the far plane is 1 % of the distance of the nearest and farthest
+  // point.
   const double half_depth = box.high.z - center.z;
   const double far = 1.01 * (distance + half_depth);
   const double near = std::max(0.99 * (distance - half_depth), far / kMaxDepthRatio);
@@ -190,7 +193,8 @@ Result<NearFar> near_far_for(const Transform<World, Eye>& world_from_eye,
   if (!depths) return tl::unexpected(depths.error());
   const double margin = margin_of(*depths);
   double far = depths->high + margin;
-  // The whole box is behind the eye.
+  // If the whole box is behind the eye, `far` gets the scale of the box (near_far_for in
+  // framing.h).
   if (!(depths->high > 0)) far = std::max(depths->high - depths->low, margin);
   return NearFar{std::max(depths->low - margin, far / kMaxDepthRatio), far};
 }

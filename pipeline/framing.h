@@ -14,7 +14,7 @@ struct FramingOptions {
   double elevation_degrees = 20;
   // The direction that is up in the picture, of any length. The axes of azimuth and elevation are
   // rotated with it, by the shortest rotation from y: with z up the azimuth is from -y towards +x.
-  // For -y it is a half turn about x.
+  // For `up` = -y the rotation is a half turn about x.
   Vector<World, double> up{0, 1, 0};
   double fovy_degrees = 45;  // full vertical angle
   double margin = 1.1;       // size of the picture divided by the size of the box in it; >= 1
@@ -41,8 +41,8 @@ struct NearFar {
 inline constexpr double kMaxDepthRatio = 10000;
 Result<NearFar> near_far_for(const Transform<World, Eye>& world_from_eye, const Box<World>& bounds);
 
-// The same for a parallel projection, whose near plane may be behind the eye: the range of the
-// box's depths and 1 % of its extent on either side.
+// Near and far planes for a parallel projection, whose near plane may be behind the eye: the range
+// of the box's depths and 1 % of its extent on either side.
 Result<NearFar> parallel_near_far_for(const Transform<World, Eye>& world_from_eye,
                                       const Box<World>& bounds);
 

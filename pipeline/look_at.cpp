@@ -13,12 +13,13 @@ namespace {
 
 using WorldVector = Vector<World, double>;
 
-// The input of both constructions: unit gaze and unit up that are not on one line.
+// The input of both constructions of the view matrix: unit vectors that are not on one line.
 struct Directions {
   WorldVector gaze, up;
 };
 
-// The coordinate axis that is most nearly perpendicular to the gaze: always a usable up.
+// The coordinate axis that is most nearly perpendicular to the gaze: it can always be the up
+// direction.
 const char* usable_up(const WorldVector& gaze) {
   const double x = std::abs(gaze.x), y = std::abs(gaze.y), z = std::abs(gaze.z);
   if (y <= x && y <= z) return "0,1,0";
@@ -74,7 +75,7 @@ Result<Transform<World, Eye>> camera_pose(const Point<World, double>& eye, const
   const Result<Directions> directions = directions_of(eye, gaze, up);
   if (!directions) return tl::unexpected(directions.error());
   const WorldVector n = -directions->gaze;
-  // Not zero: the sine has been checked.
+  // The cross product is not zero, because directions_of has checked the sine of the angle.
   const WorldVector u = unit(cross(directions->up, n)).value_or(WorldVector{});
   const WorldVector v = cross(n, u);
   Transform<World, Eye> pose;

@@ -7,8 +7,8 @@
 namespace glassbox {
 
 // If the sine of the angle between `up` and the gaze is below this value (0.2 seconds of arc), the
-// up direction is undetermined: the error of the axes is about 2 u/sine (B.5), and the user cannot
-// have meant it (C-01).
+// up direction is undetermined: the error of the axes is about 2 u/sine (u is the unit roundoff,
+// 2^-53; B.5), and the user cannot have meant it (C-01).
 inline constexpr double kMinUpSine = 0x1p-20;
 
 // The position and the axes of an eye: the columns are U = up x N/|up x N|, V = N x U and N =
@@ -17,24 +17,25 @@ inline constexpr double kMinUpSine = 0x1p-20;
 Result<Transform<World, Eye>> camera_pose(const Point<World, double>& eye,
                                           const Vector<World, double>& gaze,
                                           const Vector<World, double>& up);
-// The same with a gaze towards the point `target`; an error if that is the eye (C-02).
+// The pose of an eye that looks at the point `target`; it is an error if `target` is the eye
+// (C-02).
 Result<Transform<World, Eye>> camera_pose(const Point<World, double>& eye,
                                           const Point<World, double>& target,
                                           const Vector<World, double>& up);
 
 // The UVN construction, as in gluLookAt (S4-02, S4-03): [[U, -e.U], [V, -e.V], [N, -e.N], [0 0 0
 // 1]], the inverse of camera_pose. The rotation's entries are within (8 + 4/sine) u of the exact
-// ones, where `sine` is that of the angle between up and gaze. Axis-aligned cameras are exact, and
-// there is no -0.
+// ones, where u is the unit roundoff and `sine` the sine of the angle between up and gaze.
+// Axis-aligned cameras are exact, and there is no -0.
 Result<Transform<Eye, World>> look_at(const Point<World, double>& eye,
                                       const Point<World, double>& target,
                                       const Vector<World, double>& up);
 
-// The construction of S3.37: translate by -eye, rotate the gaze onto -z about a = v x (-z), then
-// roll about z until up is in the upper half of the yz plane: R_z(roll) R(a, theta) T(-eye). (The
-// slide turns the gaze to +z, which mirrors the picture in a right-handed world: E7.) The result
-// agrees with look_at within the sum of their errors. For a gaze along +z, where a is 0/0, the
-// rotation is about y (E8, C-05).
+// The construction of S3.37: translate by -eye, rotate the gaze v onto -z about the axis a = v x
+// (-z), then roll about z until up is in the upper half of the yz plane: R_z(roll) R(a, theta)
+// T(-eye). (The slide turns the gaze to +z, which mirrors the picture in a right-handed world: E7.)
+// The result agrees with look_at within the sum of their errors. For a gaze along +z, where a is
+// 0/0, the rotation is about y (E8, C-05).
 Result<Transform<Eye, World>> look_at_axis_angle(const Point<World, double>& eye,
                                                  const Point<World, double>& target,
                                                  const Vector<World, double>& up);

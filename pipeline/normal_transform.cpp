@@ -20,8 +20,8 @@ glm::dmat3 power_of_two_scaled(const glm::dmat3& m) {
   if (!(largest > 0) || !std::isfinite(largest)) return m;
   int exponent = 0;
   std::frexp(largest, &exponent);
-  // 2^-exponent, in two factors where it is too large for one: scaling up never rounds, and scaling
-  // down uses one product only.
+  // `factor` * `rest` is 2^-exponent, which may be too large for one double. Nothing is rounded
+  // twice: scaling up never rounds, and scaling down has rest = 1.
   constexpr int kLargestExponent = 1023;
   const double factor = std::ldexp(1.0, std::min(-exponent, kLargestExponent));
   const double rest = std::ldexp(1.0, std::max(-exponent - kLargestExponent, 0));
@@ -39,7 +39,7 @@ glm::dmat3 signed_cofactors(const glm::dmat3& linear) {
   glm::dmat3 cofactors(0);
   for (int c = 0; c < 3; ++c) {
     for (int r = 0; r < 3; ++r) {
-      // Cyclic indices give the signs of the cofactors.
+      // The other two rows and columns in cyclic order give each cofactor its correct sign.
       const int c1 = (c + 1) % 3, c2 = (c + 2) % 3, r1 = (r + 1) % 3, r2 = (r + 2) % 3;
       cofactors[c][r] = m[c1][r1] * m[c2][r2] - m[c2][r1] * m[c1][r2];
     }

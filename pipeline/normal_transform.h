@@ -14,7 +14,7 @@ namespace glassbox {
 // outward under mirroring, C-17) and a power of two (so that nothing overflows), computed in double
 // and rounded to float once. Where an inverse exists this is a positive multiple of the inverse
 // transpose. Where the map flattens space it is still correct for the faces that keep an area
-// (C-18), and 0 for the others.
+// (C-18), and 0 for the faces that lose theirs.
 template <class Target, class Source>
 struct NormalTransform {
   glm::mat3 columns{1};  // columns[column][row]
@@ -32,7 +32,7 @@ NormalTransform<Target, Source> normal_transform(const Transform<Target, Source>
   return {glm::mat3(normals::signed_cofactors(glm::dmat3(positions.columns)))};
 }
 
-// The result is not of unit length. Each row times the normal, summed from left to right, in float.
+// Each row times the normal, summed from left to right, in float. The result is not of unit length.
 template <class Target, class Source>
 Normal<Target> operator*(const NormalTransform<Target, Source>& m, const Normal<Source>& n) {
   const std::array<float, 3> from{n.x, n.y, n.z};

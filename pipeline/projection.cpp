@@ -62,8 +62,8 @@ Result<void> check_edges(double low, double high, const char* low_name, const ch
                             " = " + number_text(high);
   if (!std::isfinite(low) || !std::isfinite(high) || !std::isfinite(high - low) ||
       !std::isfinite(high + low)) {
-    return fail("window", names + " are not both finite numbers of ordinary size",
-                "give finite edges");
+    return fail("window", names + " are not finite numbers, or are too large",
+                "give smaller, finite edges");
   }
   if (!(low < high)) {
     return fail("window", names + " leave no window between them",
@@ -121,7 +121,7 @@ Transform<Clip, Eye> perspective_matrix(double x_scale, double y_scale, const De
   return m;
 }
 
-// `cot` = 1/tan(fovy/2).
+// `cot` is 1/tan(fovy/2).
 Result<Transform<Clip, Eye>> perspective_from_cotangent(double cot, double aspect,
                                                         const DepthPlanes& planes) {
   if (const Result<void> ok = check_aspect(aspect); !ok) return tl::unexpected(ok.error());
@@ -189,8 +189,9 @@ Result<Transform<Clip, Eye>> orthographic(const Window& window, const DepthPlane
   for (int row = 0; row < 3; ++row) {
     if (!std::isfinite(m.at(row, row)) || !std::isfinite(m.at(row, 3))) {
       return fail("window",
-                  "it, or the distance of near and far plane, is so small that the scale overflows",
-                  "widen it");
+                  "it, or the distance between the near and far planes, is so small that the scale "
+                  "overflows",
+                  "widen the window, or move the planes apart");
     }
   }
   return m;
@@ -213,7 +214,7 @@ Result<Transform<Clip, EyeLeft>> t_pers(double h, double d, double f) {
   Transform<Clip, EyeLeft> m;
   m.at(0, 0) = d / h;
   m.at(1, 1) = d / h;
-  m.at(2, 2) = -depth.scale;  // z is positive here
+  m.at(2, 2) = -depth.scale;  // EyeLeft's z is -z of Eye
   m.at(2, 3) = depth.offset;
   m.at(3, 2) = 1;
   m.at(3, 3) = 0;

@@ -10,7 +10,8 @@
 //
 // Every entry is within 4 ulps of its exact value for the given arguments, with no cancellation.
 // Arguments that are powers of two give exact entries, and there is no -0. All matrices are in
-// double: they are multiplied with the preceding ones and rounded once.
+// double: they are multiplied with the matrices of the stages before, and only the product is
+// rounded to float.
 #pragma once
 
 #include <limits>
@@ -64,19 +65,19 @@ double fov_condition(double fovy_radians);
 Result<Transform<Clip, EyeLeft>> t_pers(double h, double d, double f);
 
 // The form of S3.30-33: cot(theta) = d/s where theta is half the horizontal angle of view and s
-// half the window's width (E13), aspect = ResX/ResY, alpha = yon/(yon - hither), beta = yon
-// hither/(hither - yon), z' = alpha + beta/z.
+// half the width of the window at the distance d (E13), aspect = ResX/ResY, alpha = yon/(yon -
+// hither), beta = yon hither/(hither - yon), z' = alpha + beta/z.
 Result<Transform<Clip, EyeLeft>> alpha_beta(double half_angle_degrees, double aspect, double hither,
                                             double yon);
 
-// The form of S4.9: x_s = d x/z, y_s = d y/z after the divide by w = z/d. Every depth becomes d.
+// The form of S4.9: x_s = d x/z, y_s = d y/z after the divide by w = z/d. Every z becomes d.
 Transform<Clip, EyeLeft> simple_perspective(double d);
 
 // The form of S3.26: the same picture from diag(d, d, d, 0) with last row (0, 0, 1, 0). Its rank is
 // 3: depth is lost, so it can project points but cannot decide which one is hidden (E15).
 Transform<Clip, EyeLeft> singular_projection(double d);
 
-// The form of S4.10: T_ort = diag(1, 1, 0, 1).
+// The form of S4.10: T_ort = diag(1, 1, 0, 1), which sets z to 0.
 Transform<Clip, EyeLeft> drop_depth();
 
 }  // namespace glassbox

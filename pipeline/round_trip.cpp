@@ -23,7 +23,7 @@ struct NdcAndBound {
   glm::dvec3 position{0}, bound{0};
 };
 
-// The inverse of to_screen.
+// Maps a screen position and its error bound back to NDC: the inverse of to_screen.
 NdcAndBound ndc_of(const Point<Screen>& screen, const glm::dvec3& bound, const Viewport& viewport) {
   NdcAndBound ndc{{0, 0, screen.z}, {0, 0, bound.z}};
   const auto turn_round = [&](int axis, double pixels, double from, double to) {
@@ -37,7 +37,8 @@ NdcAndBound ndc_of(const Point<Screen>& screen, const glm::dvec3& bound, const V
   return ndc;
 }
 
-// The three equations A p = b, and the bound of the error of |A| |p| + |b|, for the true p.
+// The three equations A p = b for the point p (round_trip.h). `slack` is how much the true p may
+// violate each of them: |A p - b| <= slack, because A and b have errors.
 struct Equations {
   glm::dmat3 a{0};
   glm::dvec3 b{0};
@@ -66,7 +67,7 @@ Equations equations_of(const NdcAndBound& ndc, const ForwardTransform& forward,
   return e;
 }
 
-// A p' - b| and the rounding errors of computing it.
+// A bound of |A p - b| in one row: the computed value plus its rounding errors.
 double residual(const Equations& e, const glm::dvec3& p, int row) {
   double sum = -e.b[row], size = std::abs(e.b[row]);
   for (int column = 0; column < 3; ++column) {
@@ -76,7 +77,8 @@ double residual(const Equations& e, const glm::dvec3& p, int row) {
   return std::abs(sum) + gamma<double>(5) * size;
 }
 
-// The largest row sum of |I - N A|; infinite where that is not well below 1.
+// The largest row sum of |I - N A|: how far n is from being the inverse of a. It is infinite if
+// that is not below 1/2.
 double distance_from_inverse(const glm::dmat3& n, const glm::dmat3& a) {
   double largest = 0;
   for (int row = 0; row < 3; ++row) {

@@ -20,18 +20,19 @@ struct ForwardTransform {
 
 struct RoundTrip {
   Point<Screen> screen;          // in float: pixels, and the depth of NDC
-  Point<Object, double> object;  // the point that these three numbers lead back to
-  glm::dvec3 error{0};           // its difference from the given point, per coordinate
-  // Upper bound of the error; infinite where the three numbers do not determine a point.
+  Point<Object, double> object;  // the point that this x, y and depth lead back to
+  glm::dvec3 error{0};           // difference of `object` from the given point
+  // Upper bound of the error; infinite where the screen position and depth do not determine a
+  // point.
   glm::dvec3 bound{0};
   bool is_bounded() const;
 };
 
 // Divides the point's clip coordinates by w and maps them to the screen as the stages do, then goes
 // back in double, so that the error is only what the float stages have lost. `clip_bound`: the
-// bound of the distance of `clip` from the exact matrices' product with `object`, which counts as
-// exact. Returns nothing where w is not positive or a coordinate is not finite: such a point has no
-// position on the screen.
+// bound of the distance of `clip` from the product of the exact matrices and `object`, which is
+// taken as exact. Returns nothing where w is not positive or a coordinate is not finite: such a
+// point has no position on the screen.
 //
 // The way back works for any projection. With n the NDC that the screen position corresponds to,
 // the point p solves

@@ -20,8 +20,8 @@
 namespace glassbox {
 
 // A vertex of a triangle, or a point on it that clipping made. `weights` are its barycentric
-// coordinates in the triangle before clipping (they sum to 1), so that attributes follow from the
-// three corners alone.
+// coordinates in the triangle before clipping (they sum to 1), so that attributes can be computed
+// from the triangle's three corners alone.
 struct ClipVertex {
   Point<Clip> position;
   std::array<double, 3> weights{};

@@ -81,7 +81,8 @@ Result<Projected> project(const OrthographicLens& lens, Pixels size, DepthRange 
     return fail("orthographic height", "half of it is " + number_text(lens.half_height),
                 "give a positive number");
   }
-  // Multiply before dividing: 240 for 640 x 480 gives exactly 320.
+  // Multiply before dividing, so that half_height = 240 in a picture of 640 x 480 gives exactly
+  // 320.
   const double half_width = lens.half_height * size.width / size.height;
   return orthographic({-half_width, half_width, -lens.half_height, lens.half_height},
                       {lens.near, lens.far, range})
@@ -94,16 +95,17 @@ Result<Projected> project(const FrustumLens& lens, Pixels, DepthRange range) {
       .map([&](const Transform<Clip, Eye>& m) { return projected(m, lens.near, far, true); });
 }
 
-// Depth is (this entry times z + the next) / w, and |z| is w. So a subnormal slope is rounded by
-// less than 2^-149, and the depth too, which is half of the smallest float. Reversed depth has such
-// a slope where far/near is beyond 2^126 (C-10). The slope must not become zero, which would be a
-// different matrix: that of an infinite far plane.
+// Whether the entry is the slope of depth and subnormal. Such a slope is allowed: rounding changes
+// it by at most 2^-150, half of the smallest float, and the depth by no more, because depth is
+// (slope * z + offset) / w and |z| is w. Reversed depth has such a slope where far/near is beyond
+// 2^126 (C-10). The slope must not become zero, which would be a different matrix: that of an
+// infinite far plane.
 bool is_slope_of_depth(int row, int column, double entry) {
   return row == 2 && column == 2 && float(entry) != 0 && std::abs(entry) < kFloatMin;
 }
 
-// The stages work in float: if float cannot hold a matrix entry, near or far plane, the picture is
-// lost without a message.
+// Reports a matrix entry, near or far plane that float cannot hold. The stages work in float, so
+// without this check the picture would be wrong without a message.
 Result<void> check_float_range(const Projected& p) {
   const auto fits = [](double value) {
     const double size = std::abs(value);

@@ -25,15 +25,16 @@ struct View {
 // Images have 1 .. kMaxImageSide pixels in each direction.
 inline constexpr int kMaxImageSide = 16384;
 
-// A pose whose axes deviate from perpendicular unit vectors by at most this much (entries of R^T R
-// - I) is taken for a rotation with few digits and replaced by the nearest rotation (C-12); with a
-// larger deviation the pose is refused. Poses within 16 u are used unchanged.
+// A pose whose axes deviate from perpendicular unit vectors by at most this much (the largest entry
+// of R^T R - I) is treated as a rotation given with few digits and replaced by the nearest rotation
+// (C-12); a larger deviation is an error. Poses with a deviation of at most 16 u (u is the unit
+// roundoff, 2^-53) are used unchanged.
 inline constexpr double kRigidTolerance = 0x1p-10;
 
 // Checks the camera (near > 0 for perspective, near < far, 0 < fovy < 180 degrees, a rigid pose,
 // all numbers finite) and composes its matrices for an image of `width` x `height` pixels. Errors
-// name the offending value and the remedy. Numbers that would overflow or vanish when the matrix is
-// rounded to float are refused too.
+// name the offending value and the remedy. Numbers that would overflow or become 0 when the matrix
+// is rounded to float are errors too.
 Result<View> make_view(const Camera& camera, int width, int height,
                        DepthRange depth_range = DepthRange::kStandard);
 

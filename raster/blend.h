@@ -11,7 +11,7 @@ namespace glassbox {
 
 #include <glassbox/raster/formulas/blend.h>
 
-// Encodes a linear colour as bytes. Channels that are not wanted become 0.
+// Encodes a linear colour as bytes. Channels that are not in `wanted` become 0.
 inline Rgba8 encode(Transfer transfer, const Rgba& linear, const ColorMask& wanted = {}) {
   Rgba8 stored{0, 0, 0, 0};
   if (wanted.r) stored.r = encode(transfer, linear.r);

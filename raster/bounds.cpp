@@ -10,8 +10,8 @@ namespace glassbox {
 namespace {
 
 constexpr double kU = unit_roundoff<float>;
-// The constants of interpolate.h hold to first order in u. This factor covers the higher orders and
-// the rounding errors of the bounds themselves.
+// The error bounds of formulas/interpolate.h hold to first order in u (the unit roundoff, 2^-24).
+// This factor covers the higher orders and the rounding errors of the bounds themselves.
 constexpr double kRoundUp = 1 + 0x1p-18;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -24,10 +24,10 @@ double relative_inverse_w(const TriangleSetup& setup, const SetupBounds& vertice
   return largest;
 }
 
-// The relative error that a weight inherits from the errors of the 1/w. The weight is lambda_k/w_k
-// over the sum of all three terms, and each term is off by a factor of at most 1 + r. This also
-// holds where the three computed w are equal and the screen weights are used: if the true w differ
-// a little, so do the true weights.
+// The relative error that a weight inherits from the errors of the vertices' 1/w, whose largest
+// relative error is r. The weight is lambda_k/w_k over the sum of all three such terms, and each
+// term is wrong by a factor between 1 - r and 1 + r. This also holds where the three computed w are
+// equal and the screen weights are used: if the true w differ a little, so do the true weights.
 double inherited_share(double r) {
   return r < 1 ? 2 * r / (1 - r) : kInfinity;
 }
@@ -56,7 +56,8 @@ FragmentBounds fragment_bounds(const TriangleSetup& setup, const Fragment& fragm
   bounds.depth = (8 * kU * std::abs(double(fragment.depth)) + depth) * kRoundUp;
   const double q = std::abs(double(fragment.inverse_w));
   bounds.inverse_w = ((setup.affine ? 0 : 7 * kU * q) + inverse_w) * kRoundUp;
-  // |1/q' - 1/q| = |q - q'|/(q q'), and q is at least q' minus its bound.
+  // With the computed q' (here `q`) and the exact q, |1/q' - 1/q| = |q - q'|/(q q'), and the exact
+  // q is at least q' minus its bound.
   const double smallest_q = q - bounds.inverse_w;
   bounds.distance = smallest_q > 0 ? bounds.inverse_w / (q * smallest_q) * kRoundUp : kInfinity;
   return bounds;

@@ -20,7 +20,7 @@ constexpr double kRoundUp = 1 + 0x1p-40;
 
 // ---- which texels ----
 
-// If more texels than this are in reach, the whole range of values is used instead.
+// If the error of a coordinate is this many texels or more, any texel value is taken as possible.
 constexpr double kMostTexels = 8;
 
 std::int64_t remainder_of(std::int64_t i, std::int64_t period) {
@@ -37,7 +37,8 @@ std::int32_t wrapped_texel(Wrap wrap, std::int64_t i, std::int32_t size) {
   return std::int32_t(j < size ? j : 2 * std::int64_t(size) - 1 - j);
 }
 
-// Returns a coordinate within its period, in double: wrap_coordinate() without its rounding errors.
+// Returns what wrap_coordinate() would return without its rounding errors: the coordinate within
+// its period, in double.
 double wrapped_coordinate(Wrap wrap, double t) {
   switch (wrap) {
     case Wrap::kRepeat:
@@ -78,8 +79,8 @@ struct Range {
   }
 };
 
-// Collects which texel values a sample can reach when its numbers vary within their bounds, one
-// level after the other.
+// Collects, level by level, which texels a sample may read if its coordinates vary within their
+// error bounds.
 class ReachableTexels {
 public:
   ReachableTexels(const MipChain& texture, const Sampler& sampler,
@@ -108,13 +109,13 @@ public:
   double contrast() const { return all_reachable_ ? kFullTexel : range_.contrast(); }
   // The sum of the errors along x and y, in texels, where filters are linear.
   double texel_error() const { return texel_error_; }
-  bool may_choose() const { return may_choose_; }  // another texel may be the nearest one
+  bool may_choose() const { return may_choose_; }  // rounding decides which texel is the nearest
   bool is_linear() const { return is_linear_; }
   int coarsest() const { return coarsest_; }
 
 private:
-  // One side (width or height) of a level: the range of texels first .. last before wrapping, and
-  // how many texels the place may be off.
+  // One side (width or height) of a level: the range first .. last of texels that may be read,
+  // before wrapping, and the error of the sample's position in texels.
   struct Side {
     std::int64_t first = 0, last = 0;
     double off = 0;
@@ -149,7 +150,8 @@ private:
 
 // ---- which levels ----
 
-// The lower and upper bound of the level of detail's position on the chain.
+// The lower and upper bound of the sample's position on the mip chain: 0 is the full image, 1 the
+// next level.
 struct Position {
   double low = 0, high = 0;
   bool may_be_magnified = false, may_be_minified = false;
@@ -160,11 +162,11 @@ Position position_of(const LevelBounds& level, int last) {
           !(level.low > 0), level.high > 0};
 }
 
-// The rounding error of position + 1/2: u times at most 32 levels.
+// The rounding error of position + 1/2: the unit roundoff, 2^-24, times at most 32 levels.
 constexpr double kLevelRounding = 0x1p-19;
 
-// Looks at the levels that a minified sample may come from. Returns whether either of two levels
-// may be chosen.
+// Adds to `reach` the levels that a minified sample may come from. Returns whether rounding decides
+// which of two levels is chosen.
 bool add_minified_levels(const MipChain& texture, const Sampler& sampler, const Position& position,
                          ReachableTexels& reach) {
   if (sampler.mip == MipFilter::kNone) {
@@ -208,7 +210,7 @@ LevelBounds level_bounds(float level, const Bounded& squared_texels) {
   LevelBounds bounds{-kInfinity, kInfinity};
   if (size > bound) bounds.low = 0.5 * logarithm_2(size - bound) - own;
   if (size + bound <= std::numeric_limits<double>::max()) {
-    // Minus infinity where the footprint has no size at all.
+    // This is minus infinity where the footprint has no size at all.
     bounds.high = 0.5 * logarithm_2(size + bound) + own;
   }
   return {std::min(bounds.low, double(level)), std::max(bounds.high, double(level))};

@@ -1,6 +1,6 @@
-// Which pixels a triangle covers: those whose centres are inside, and those whose centres are on an
-// edge that the triangle owns. Two triangles that share an edge traverse it in opposite directions,
-// so exactly one of them owns it: no gaps, and no pixel twice.
+// Finds the pixels that a triangle covers: the pixels whose centres are inside, or on an edge that
+// the triangle owns by the top-left rule. Two triangles that share an edge traverse it in opposite
+// directions, so exactly one of them owns it: no gaps, and no pixel twice.
 #pragma once
 
 #include <glassbox/raster/stages.h>

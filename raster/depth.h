@@ -1,5 +1,5 @@
-// Which fragment is in front. Every format keeps its depth as a 32-bit code; the smaller code is
-// nearer.
+// Decides which of two fragments is in front. Every format stores depth as a 32-bit code; the
+// smaller code is nearer.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 namespace glassbox {
 
 // Twice the signed area; positive when a, b, c run clockwise as seen on the screen (y points down).
-// Exact, because the factors have at most 26 bits.
+// The result is exact, because the factors have at most 26 bits.
 inline std::int64_t double_area(const SnappedVertex& a, const SnappedVertex& b,
                                 const SnappedVertex& c) {
   return double_area<std::int64_t>({a.x, b.x, c.x}, {a.y, b.y, c.y});

@@ -17,7 +17,7 @@ inline float depth_from(const std::array<float, 3>& lambda, const std::array<flo
   return interpolate(d0, d1 - d0, d2 - d0, lambda[1], lambda[2]);
 }
 
-// The part common to triangles and lines: a fragment from its screen-space weights.
+// Computes a fragment of a triangle or a line from its screen-space weights.
 inline Fragment fragment_from(const std::array<float, 3>& lambda, const std::array<float, 3>& depth,
                               const std::array<float, 3>& inverse_w, bool affine) {
   Fragment fragment;
@@ -39,7 +39,7 @@ inline std::array<float, 3> screen_weights(const TriangleSetup& triangle, const 
   return lambda;
 }
 
-// The depth alone, bit for bit the depth that interpolate() gives the whole fragment.
+// Computes only the depth, bit for bit the depth of the fragment that interpolate() returns.
 inline float interpolate_depth(const TriangleSetup& triangle, const Coverage& at) {
   return depth_from(screen_weights(triangle, at), triangle.depth);
 }
@@ -53,7 +53,7 @@ inline Fragment interpolate(const TriangleSetup& triangle, const Coverage& pixel
 }
 
 // A line is treated as a triangle whose vertex 0 has weight 0 and the smaller of the two depths.
-// Its attributes follow from the weights, with the first end's attributes in place of vertex 0's.
+// Its attributes are interpolated with the same weights; vertex 0 gets the first end's attributes.
 inline Fragment interpolate(const std::array<ScreenVertex, 2>& ends, const LinePixel& pixel) {
   const float share = 1.0f / float(pixel.steps);
   const std::array<float, 3> lambda{0.0f, float(pixel.steps - pixel.step) * share,

@@ -14,8 +14,8 @@
 
 namespace glassbox {
 
-// In a namespace of their own, because formulas of numbers with bounds (bounded_formulas.h) have
-// the same names: argument-dependent lookup would otherwise find both.
+// These formulas are in a namespace of their own, because formulas of numbers with bounds
+// (bounded_formulas.h) have the same names: argument-dependent lookup would otherwise find both.
 namespace single {
 
 using glassbox::product;  // for directions; surface.h has one for colours

@@ -1,5 +1,5 @@
-// Which pixels a line covers: the diamond-exit rule of OpenGL and Direct3D, decided exactly on
-// integers.
+// Finds the pixels that a line covers by the diamond-exit rule of OpenGL and Direct3D, exactly,
+// with integers.
 //
 // A pixel is drawn if the line leaves the diamond |x - xc| + |y - yc| < 1/2 around its centre. Two
 // lines that continue each other, for example to the right, do not draw the pixel of their joint
@@ -16,8 +16,8 @@
 
 namespace glassbox {
 
-// A pixel of a line. It is at `step` of `steps` of the way from the line's first end to its second
-// (0 <= step <= steps), measured at the pixel's centre along the longer axis.
+// A pixel of a line. step / steps is its position on the line: 0 at the first end and 1 at the
+// second, measured at the pixel's centre along the longer axis.
 struct LinePixel {
   int x = 0, y = 0;
   std::int64_t step = 0, steps = 1;
@@ -42,10 +42,10 @@ inline std::int64_t floor_divide(std::int64_t n, std::int64_t positive) {
 // one half of it into the other.
 struct LineSetup {
   bool x_major = true;
-  bool ascending = true;    // from its first end to its second, along the major axis
+  bool ascending = true;    // the second end is not before the first along the major axis
   SnappedVertex low, high;  // the ends in ascending order; .x is along the major axis, .y across it
   int first = 0, end = 0;   // the pixels of the major axis whose centre is passed: first .. end - 1
-  // A line that passes exactly between two pixels belongs to the one of lower index.
+  // Whether a line that passes exactly between two pixels covers the pixel of lower index.
   bool border_is_low = true;
 
   std::int64_t steps() const { return high.x - low.x; }
@@ -56,7 +56,8 @@ struct LineSetup {
     return std::clamp<std::int64_t>(ascending ? centre - low.x : high.x - centre, 0, steps());
   }
 
-  // The pixel along the minor axis in which the line passes the centre of pixel `major` < end.
+  // The index along the minor axis of the pixel through which the line passes where it is at the
+  // centre of pixel `major` along the major axis; major < end.
   int minor_at(int major) const {
     const std::int64_t run = high.x - low.x;
     const std::int64_t rise = high.y - low.y;
@@ -74,14 +75,16 @@ inline LineSetup setup_line(const SnappedVertex& a, const SnappedVertex& b) {
   line.ascending = line.low.x <= line.high.x;
   if (!line.ascending) std::swap(line.low, line.high);
 
-  // The move along x goes to the left, so a centre at the low end is passed and one at the high end
-  // is not. For a mostly vertical line the same choice is harmless: an end exactly at the height of
-  // a centre is inside a diamond, and the diamond test decides.
+  // The infinitely small move along x goes to the left, so a centre exactly at the low end is
+  // passed and a centre exactly at the high end is not. For a mostly vertical line the same choice
+  // is harmless: an end exactly at the height of a centre is inside a diamond, and the diamond test
+  // decides.
   line.first = (line.low.x + kPixelCentre - 1) >> kSubpixelBits;
   line.end = (line.high.x + kPixelCentre - 1) >> kSubpixelBits;
 
-  // At the same x, a mostly horizontal line of slope m is moved by m e + e^2: upwards only if it
-  // rises to the right. At the same y, a mostly vertical one is moved to the left.
+  // Seen at a fixed x, the infinitely small move (-e, +e^2) moves a mostly horizontal line of slope
+  // m by m e + e^2 in y: upwards only if the line rises to the right (m < 0). Seen at a fixed y, it
+  // moves a mostly vertical line to the left.
   line.border_is_low = !line.x_major || line.high.y < line.low.y;
   return line;
 }
@@ -101,7 +104,8 @@ void for_each_line_pixel(const SnappedVertex& a, const SnappedVertex& b, const P
   };
 
   // A line that starts inside a diamond, but past its centre, leaves it without passing the centre.
-  // The moved start can be inside no diamond except that of its own pixel.
+  // The start, after the infinitely small move, can only be inside the diamond of the pixel that
+  // contains it.
   const int start_x = (a.x - 1) >> kSubpixelBits;
   const int start_y = a.y >> kSubpixelBits;
   const int start = line.x_major ? start_x : start_y;

@@ -1,5 +1,6 @@
-// Which pixel a point covers: the unit square around the point contains exactly one pixel centre.
-// Like triangles, squares include their left and top sides and not the others.
+// Finds the pixel that a point covers: the unit square around the point contains exactly one pixel
+// centre. The square includes its left and top sides but not its right and bottom ones, like a
+// triangle.
 #pragma once
 
 #include <glassbox/raster/stages.h>

@@ -1,10 +1,10 @@
-// Several samples per pixel, and which of them a triangle covers.
+// Defines several samples per pixel, and finds the samples that a triangle covers.
 //
 // The positions of the samples are Direct3D's standard patterns
 // (D3D11_STANDARD_MULTISAMPLE_QUALITY_LEVELS), in 1/16 pixel. The snap's 1/256 pixel represents
-// them exactly, so the test of a sample is as exact as that of a pixel's centre, and the tie rule
-// holds for each sample. Samples are within the pixel, which includes its left and top sides and
-// excludes the right and bottom ones.
+// them exactly, so the test of a sample is as exact as that of a pixel's centre, and the top-left
+// rule holds for each sample. Samples are within the pixel, which includes its left and top sides
+// and excludes the right and bottom ones.
 #pragma once
 
 #include <algorithm>
@@ -81,7 +81,7 @@ struct SampleSteps {
     }
   }
 
-  // Returns the edge functions at a sample, given those at the centre.
+  // Returns the edge functions at a sample, given the edge functions at the centre.
   Coverage at(const Coverage& centre, int sample) const {
     Coverage moved = centre;
     for (std::size_t k = 0; k < 3; ++k) moved.edges[k] += add[std::size_t(sample)][k];
@@ -90,7 +90,7 @@ struct SampleSteps {
 
   int count;
   std::array<std::array<std::int64_t, 3>, kMostSamples> add{};
-  std::array<std::int64_t, 3> most{};  // the largest over the samples and the centre (0)
+  std::array<std::int64_t, 3> most{};  // for each edge, the largest of `add` and 0
 };
 
 // A pixel whose centre or samples a triangle covers.
@@ -110,8 +110,7 @@ inline Coverage shading_point(const SampledPixel& pixel, const SampleSteps& step
   return steps.at(pixel.centre, first);
 }
 
-// The pixels that contain the samples of a triangle, given the pixels that contain its pixel
-// centres.
+// The pixels of which a triangle may cover samples, given the pixels whose centres it may cover.
 inline PixelRect sampled_bounds(const PixelRect& bounds) {
   return {bounds.x0 - 1, bounds.y0 - 1, bounds.x1 + 1, bounds.y1 + 1};
 }

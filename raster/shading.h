@@ -21,15 +21,15 @@
 
 namespace glassbox {
 
-// The largest amount of light. It is limited so that no product of two such numbers overflows:
+// An upper limit for the brightness of a light, so that no product of two such numbers overflows:
 // infinity times 0 is NaN, which would make the brightest places black.
 inline constexpr float kBrightest = 1e18f;
 
 struct EyeLight {
   LightKind kind = LightKind::kDirectional;
   std::array<float, 3> radiance{};  // colour * intensity / pi
-  Vector<Eye> towards;              // unit vector towards the light; directional and spot lights
-  Point<Eye> position;              // point and spot lights
+  Vector<Eye> towards;              // unit vector, for directional and spot lights
+  Point<Eye> position;              // for point and spot lights
   float inverse_range = 0;          // 0: no limit
   float cone_scale = 0;             // spot: clamp(cosine * scale + offset, 0, 1)^2
   float cone_offset = 0;
@@ -37,8 +37,8 @@ struct EyeLight {
 
 struct Lighting {
   std::vector<EyeLight> lights;
-  float ambient = 0.1f;     // the same from everywhere
-  bool perspective = true;  // otherwise the viewer is infinitely far away along +z
+  float ambient = 0.1f;     // light from all directions
+  bool perspective = true;  // false: the viewer is infinitely far away along +z
 };
 
 // Light that leaves a surface, before the surface's colours are multiplied in.
@@ -49,8 +49,8 @@ struct ReflectionOf {
 };
 using Reflection = ReflectionOf<float>;
 
-// The scene's lights as the view sees them. A scene without any gets a headlight: directional, 0.9
-// pi lux, from behind the viewer's right shoulder, along (1, 1, 2) in eye space.
+// The scene's lights as the view sees them. A scene without lights gets a headlight: directional,
+// 0.9 pi lux, from behind the viewer's right shoulder, along (1, 1, 2) in eye space.
 Lighting light_scene(const Scene& scene, const View& view);
 
 // `normal_eye` need not be of unit length; a zero normal receives only the ambient light.

@@ -21,7 +21,7 @@
 namespace glassbox {
 
 inline constexpr int kSubpixelBits = 8;
-inline constexpr std::int32_t kSubpixels = 1 << kSubpixelBits;  // steps to a pixel
+inline constexpr std::int32_t kSubpixels = 1 << kSubpixelBits;  // steps per pixel
 inline constexpr std::int32_t kPixelCentre = kSubpixels / 2;
 
 // A position on the screen in 1/256 pixel. |x|, |y| < 2^24: the guard band reaches 2^15 pixels from
@@ -41,7 +41,7 @@ struct PixelRect {
 // bits, because the factors have at most 26 bits.
 struct EdgeFunction {
   std::int64_t a = 0, b = 0, c = 0;
-  bool owns_zero = false;  // a top or left edge: points on it belong to this triangle
+  bool owns_zero = false;  // a top or left edge: its points belong to the triangle
 
   std::int64_t at(std::int64_t x, std::int64_t y) const { return a * x + b * y + c; }
   bool covers(std::int64_t value) const { return value > 0 || (value == 0 && owns_zero); }
@@ -69,7 +69,7 @@ struct Coverage {
 struct Fragment {
   int x = 0, y = 0;
   std::array<float, 3> lambda{};  // barycentric weights on the screen
-  // Barycentric weights on the triangle in space: lambda after perspective.
+  // Barycentric weights on the triangle in space: lambda corrected for perspective.
   std::array<float, 3> weights{};
   float depth = 0;  // NDC z
   float inverse_w = 1;

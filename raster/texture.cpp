@@ -49,14 +49,14 @@ void append_texels(MipChain& chain, const Image<Rgba8>& image, Transfer transfer
 // The texels of a longer row that texel `i` of a shorter row covers, and their weights.
 struct Footprint {
   int first = 0;
-  // At most 3: if 2n + 1 texels become n, each new one covers 2 + 1/n old ones, and new texel i
-  // begins i/n of a texel after the old texel 2i.
+  // At most 3: if 2n + 1 texels become n texels, each new texel covers 2 + 1/n old texels, and new
+  // texel i begins i/n of a texel after the start of old texel 2i.
   int count = 0;
   std::array<float, 3> weight{};  // sums to 1
 };
 
 Footprint footprint(int i, int short_side, int long_side) {
-  // In units of 1 / short_side of a source texel, so that every bound is an integer.
+  // `low` and `high` are in units of 1 / short_side of a source texel, so that they are integers.
   const std::int64_t low = std::int64_t(i) * long_side;
   const std::int64_t high = low + long_side;
   Footprint covered;
@@ -108,7 +108,7 @@ void add_half(MipChain& chain) {
 
 // ---- sampling ----
 
-// The interface to a chain that formulas/texture.h expects.
+// The interface to a mip chain that formulas/texture.h expects.
 class Levels {
 public:
   explicit Levels(const MipChain& chain) : chain_(chain) {}

@@ -1,4 +1,4 @@
-// Images on surfaces: mip chains, and samples from them.
+// Textures: mip chains, and samples from them.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct Texel {
 // itself.
 inline constexpr int kFullTexel = 32640;
 
-// The texel in linear light, and as bytes. Texels of the image itself give the image's own bytes.
+// Convert a texel to linear light, and to bytes. Texels of level 0 give the image's own bytes.
 Rgba light_of(const Texel& texel);
 Rgba8 stored_texel(const Texel& texel, Transfer transfer);
 
@@ -37,16 +37,16 @@ Rgba8 stored_texel(const Texel& texel, Transfer transfer);
 // chain has at most twice as many.
 struct MipChain {
   int width = 0, height = 0;        // of level 0
-  std::vector<std::int32_t> first;  // by level: the number of its first texel
+  std::vector<std::int32_t> first;  // for each level, the number of its first texel
   std::vector<Texel> texels;        // level by level, row by row from the top
 
   int last_level() const { return int(first.size()) - 1; }
 };
 
 // Makes the mip chain. The texels of level 0 are within 1/2 of the image's linear light in units of
-// 1/kFullTexel; those of every other level are the means of the texels that they cover in the level
-// before, rounded to nearest. With `first_level_only` the chain has only level 0, for samplers that
-// never use the others.
+// 1/kFullTexel; the texels of every other level are the means of the texels that they cover in the
+// level before, rounded to nearest. With `first_level_only` the chain has only level 0, for
+// samplers that never use other levels.
 MipChain make_mip_chain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only);
 
 // The mip chain of an image, made when it is first needed, so that textures that are not seen cost
@@ -56,7 +56,7 @@ public:
   LazyMipChain(const Image<Rgba8>& image, Transfer transfer, bool first_level_only)
       : image_(image), transfer_(transfer), first_level_only_(first_level_only) {}
 
-  // May be called by any thread; the others wait for the thread that makes the chain.
+  // May be called by any thread; other threads wait for the thread that makes the chain.
   const MipChain& get() const {
     const MipChain* made = made_.load(std::memory_order_acquire);
     if (made == nullptr) [[unlikely]]
@@ -85,9 +85,9 @@ struct TextureGradientOf {
 };
 using TextureGradient = TextureGradientOf<float>;
 
-// The plane equations of 1/w, u/w and v/w over the screen, from which the derivatives at a pixel
-// follow analytically (Heckbert and Moreton 1991). Coordinates are taken relative to vertex 0, so
-// large ones lose nothing (C-67).
+// The plane equations of 1/w, u/w and v/w over the screen, from which the exact derivatives at a
+// pixel can be computed (Heckbert and Moreton 1991). Texture coordinates are taken relative to
+// vertex 0, so large coordinates lose no digits (C-67).
 template <class F>
 struct TexturePlanesOf {
   std::array<F, 2> origin{};                 // texcoord of vertex 0
@@ -112,9 +112,9 @@ inline bool samples_base_only(const Sampler& sampler) {
 }
 
 // Returns one filtered sample, in linear light. Coordinates are wrapped before they are scaled. Any
-// coordinate is legal; one that is not finite counts as 0. Filtering is done in integers
-// (raster/formulas/texture.h): the result is at most 4.5/kFullTexel from the mean of the texels by
-// exact weights, and where one texel alone decides it is exactly that texel.
+// coordinate is legal; a coordinate that is not finite is treated as 0. Filtering is done in
+// integers (raster/formulas/texture.h): the result differs by at most 4.5/kFullTexel from the
+// texels' mean with exact weights, and if only one texel is used, it is exactly that texel.
 Rgba sample_mip_chain(const MipChain& texture, const Sampler& sampler,
                       const std::array<float, 2>& texcoord, float level_of_detail);
 

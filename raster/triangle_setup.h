@@ -16,7 +16,7 @@ PixelRect intersect(const PixelRect& a, const PixelRect& b);
 
 // Returns nothing for a triangle whose area is zero after snapping: it covers no pixel.
 std::optional<TriangleSetup> setup_triangle(const std::array<ScreenVertex, 3>& vertices);
-// The same for vertices that are already snapped.
+// Makes the setup from vertices that are already snapped.
 std::optional<TriangleSetup> setup_triangle(const std::array<ScreenVertex, 3>& vertices,
                                             const std::array<SnappedVertex, 3>& snapped);
 

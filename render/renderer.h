@@ -1,4 +1,4 @@
-// A scene and the engine that draws it. The data that all of its pictures share is made once.
+// A scene and the engine that draws it. The data that all pictures of the scene share is made once.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace glassbox {
 
-// The engines of the library. Both make the same bytes.
+// The engines of the library. Both draw the same bytes.
 enum class EngineKind { kTile, kStaged };
 
 std::unique_ptr<Engine> make_engine(EngineKind kind, const TileOptions& options = {});
@@ -24,21 +24,22 @@ constexpr std::string_view name_of(EngineKind engine) {
 
 class Renderer {
 public:
-  // The scene must outlive the renderer and not change. `transfer` must be that of the settings
-  // rendered with.
+  // The scene must outlive the renderer and not change. `transfer` must be the transfer function of
+  // the settings that pictures are rendered with.
   Renderer(const Scene& scene, Transfer transfer, std::unique_ptr<Engine> engine);
 
   // `options` are for the tile engine.
   Renderer(const Scene& scene, Transfer transfer, EngineKind kind = EngineKind::kTile,
            const TileOptions& options = {});
 
-  // The same as render_staged; the depth plane is filled only if it is wanted.
+  // Draws the same picture as render_staged; the depths are stored only if they are wanted.
   Rendering render(const View& view, const RenderSettings& settings);
-  // The same, written to memory that is used again. `behind_depth`: see EyePicture::behind_depth.
+  // Does the same, but writes to memory that is reused. `behind_depth`: see
+  // EyePicture::behind_depth.
   void render(const View& view, const RenderSettings& settings, Rendering& into,
               const Image<std::uint32_t>* behind_depth = nullptr);
 
-  // The same as the functions of these names.
+  // Do the same as the functions of these names in render_pair.h, with this engine and scene.
   StereoRendering render_pair(const View& centre, const StereoPair& pair,
                               const StereoSettings& settings);
   void render_pair(const View& centre, const StereoPair& pair, const StereoSettings& settings,
@@ -48,7 +49,7 @@ public:
                                          const AnaglyphMasks& masks);
 
 private:
-  // Adds the time of preparing the scene to the first picture.
+  // Adds the time of preparing the scene to the statistics of the first picture.
   void count_preparation(Statistics& statistics);
 
   const Scene& scene_;

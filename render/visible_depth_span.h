@@ -12,13 +12,13 @@
 
 namespace glassbox {
 
-// The smallest and the largest finite distance in a framebuffer's distance plane; nothing if
-// nothing was drawn.
+// Returns the smallest and the largest finite distance in a framebuffer's distance image; nothing
+// if nothing was drawn.
 std::optional<DepthSpan> depth_span(const Image<float>& distances);
 
-// The same, from a picture drawn for this purpose: it has the view's shape and is at most 256
-// pixels wide and high. Surfaces thinner than such a pixel may be missed, and so may surfaces that
-// only the eyes see at the sides, outside the picture of the camera between them.
+// Returns the same for a picture that is drawn for this purpose: it has the view's shape and is at
+// most 256 pixels wide and high. Surfaces thinner than such a pixel may be missed, and so may
+// surfaces that only the eyes see at the sides, outside the picture of the camera between them.
 std::optional<DepthSpan> visible_depth_span(Renderer& renderer, const View& centre,
                                             const RenderSettings& settings);
 

@@ -1,4 +1,5 @@
-// glassbox diff REFERENCE TEST: whether two pictures, or two directories of them, are the same.
+// glassbox diff REFERENCE TEST: checks whether two pictures, or the pictures in two directories,
+// are the same.
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -50,7 +51,7 @@ private:
   void print(const std::vector<Comparison>& comparisons, const Pairing& pairing) const;
   int approve_all(const std::vector<Comparison>& comparisons) const;
   std::string command_line() const;
-  bool silent() const;  // a report goes to standard output, so nothing else may
+  bool silent() const;  // whether nothing is printed, because a report goes to standard output
 
   std::string reference_, test_;
   bool directories_ = false;
@@ -66,7 +67,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The value, or an exception by which CLI11 refuses the option.
+// Returns the value; if there is an error instead, throws CLI11's exception for an invalid option.
 template <class T>
 T value_or_refuse(const std::string& option, const Result<T>& value) {
   if (value) return *value;
@@ -94,8 +95,9 @@ int exit_code_of(const std::vector<Comparison>& comparisons) {
   return worst;
 }
 
-// Where the heat map of one of many pairs is written: "out/teapot.png.heat.png" for "teapot.png".
-// The extension is kept because there may be a teapot.pfm as well.
+// The path of the heat map of one picture where two directories are compared:
+// "out/teapot.png.heat.png" for "teapot.png". The extension is kept because there may be a
+// teapot.pfm as well.
 std::string heat_path(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / (name + ".heat.png")).string();
 }
@@ -105,7 +107,8 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return fs::equivalent(a, b, ignored);
 }
 
-// Whether writing to `path` would overwrite a picture of the pair or its sidecar file (.fuzzy).
+// Whether writing to `path` would overwrite one of the two compared pictures or the reference's
+// sidecar file (.fuzzy).
 bool is_input(const std::string& path, const PicturePaths& pair) {
   const std::string stem = fs::path(pair.reference).replace_extension(".fuzzy").string();
   return is_same_file(path, pair.reference) || is_same_file(path, pair.test) ||
@@ -147,7 +150,8 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
           [this](const std::string& text) {
             options_.tolerance.fuzzy = value_or_refuse("--fuzzy", parse_fuzzy(text));
           },
-          "largest difference in steps (1/255, 1/65535, ulps) and number of pixels that differ")
+          "the ranges that pass: of the largest difference in steps (1/255, 1/65535 or ulps), and "
+          "of the number of pixels that differ")
       ->type_name("'maxDifference=A-B;totalPixels=C-D'")
       ->group(tolerance);
   command
@@ -156,7 +160,8 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
           [this](const std::string& text) {
             options_.tolerance.max_ulp = value_or_refuse("--max-ulp", parse_max_ulp(text));
           },
-          "for pictures of floats: largest difference of two samples in ulps")
+          "for pictures of floats: the largest difference of two samples that passes, in ulps "
+          "(steps from a float to the next)")
       ->type_name("N")
       ->group(tolerance);
   command
@@ -278,13 +283,17 @@ Result<void> DiffCommand::write_heat_maps(const std::vector<Comparison>& compari
   for (const Comparison& one : comparisons) {
     if (directories_ && (passes(one.verdict) || one.error)) continue;
     if (directories_ && heat_of_ == HeatMapKind::kFlip && one.reference.format == "32-bit floats") {
-      fmt::print(stderr, "glassbox: note: no heat map of {}: FLIP is not defined for floats\n",
+      fmt::print(stderr,
+                 "glassbox: note: no heat map of {}: FLIP is not defined for pictures of floats; "
+                 "use --heat steps\n",
                  printable(one.name));
       continue;
     }
     if (!one.differences) {
-      fmt::print(stderr, "glassbox: note: no heat map of {}: the two have no pixels to compare\n",
-                 printable(one.name));
+      fmt::print(
+          stderr,
+          "glassbox: note: no heat map of {}: its two pictures cannot be compared pixel by pixel\n",
+          printable(one.name));
       continue;
     }
     const std::string path = directories_ ? heat_path(*heat_, one.name) : *heat_;

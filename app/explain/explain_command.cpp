@@ -1,5 +1,5 @@
-// glassbox explain SCENE: what the plan leaves out and why; with --analyze, also what went into
-// every stage, what came out, and how long it took.
+// glassbox explain SCENE: which stages the tile engine's plan leaves out and why; with --analyze,
+// also what went into every stage, what came out, and how long it took.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -23,12 +23,12 @@
 
 namespace glassbox::app {
 
-// The report of `explain --stereo` on both eyes' pictures, as text and as JSON.
+// The data for the report of `explain --stereo` on both eyes' pictures.
 struct PairReport {
   const StereoRendering& rendering;
-  // Empty if the staged engine has drawn, which makes no plan.
+  // Empty if the staged engine has drawn the pictures: it makes no plan.
   const PlannedPictures& planned;
-  bool counted = false;  // counts of the stages are wanted
+  bool counted = false;  // whether the stages' counts are wanted
 
   bool is_planned() const { return !planned.texts.empty(); }
 };
@@ -60,7 +60,7 @@ std::string plans_text(const std::vector<ReportedEye>& eyes,
 
 }  // namespace
 
-// Eyes with the same text are reported once, together.
+// The report as text. If both eyes have the same plan, the plan is printed only once.
 std::string pair_text(const PairReport& pair) {
   const std::vector<ReportedEye> eyes = eyes_of(pair.rendering);
   std::string text;
@@ -75,7 +75,7 @@ std::string pair_text(const PairReport& pair) {
   return text + (pair.is_planned() ? tile_text(first, pair.planned.report) : time_table(first));
 }
 
-// The keys are "left" and "right", or "both" where both eyes have one picture.
+// The report as JSON. The keys are "left" and "right", or "both" where both eyes have one picture.
 nlohmann::ordered_json pair_json(const PairReport& pair) {
   const std::vector<ReportedEye> eyes = eyes_of(pair.rendering);
   nlohmann::ordered_json json;

@@ -18,10 +18,10 @@
 
 namespace glassbox::app {
 
-// The draws of a plan in groups: draws with the same decisions are reported together.
+// Draws of a plan that are reported together, because the same decisions were made for them.
 struct DrawGroup {
-  std::string method;                // how they are drawn: over lanes, staged, not drawn
-  std::vector<Decision> decisions;   // with the numbers of the largest draw
+  std::string method;                // drawn in SIMD lanes, drawn by the staged code, or not drawn
+  std::vector<Decision> decisions;   // with the numbers of the largest draw of the group
   std::vector<std::uint32_t> draws;  // indices into the draw list, the largest first
   std::uint64_t triangles = 0;
 };
@@ -36,7 +36,8 @@ std::string key_of(const std::string& method, const std::vector<Decision>& decis
 
 }  // namespace
 
-// The groups, that with most triangles first; of equal ones, that with the earlier first draw.
+// Returns the groups, the one with the most triangles first. Groups with equally many triangles are
+// in the order of their first draws.
 std::vector<DrawGroup> group_draws(const Plan& plan, const PlannedEye& eye) {
   const std::vector<Draw>& draws = eye.list.draws;
   const auto triangles = [&](std::uint32_t i) { return draws[i].triangulation->triangles.size(); };
@@ -115,7 +116,7 @@ std::string plan_text(const Scene& scene, const Plan& plan, const PlannedEye& ey
     text += lines_of(groups[i].decisions);
   }
   if (draws_not_shown > 0) {
-    text += fmt::format("\nand {} more of {} with {}: --json lists them all\n",
+    text += fmt::format("\nand {} more, which have {} with {}: --json lists them all\n",
                         counted_with_separators(groups.size() - kShownGroups, "group"),
                         counted_with_separators(draws_not_shown, "draw"),
                         counted_with_separators(triangles_not_shown, "triangle"));

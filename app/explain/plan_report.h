@@ -14,29 +14,28 @@
 
 namespace glassbox::app {
 
-// The plan of the whole picture, then of its groups of draws: only a few groups, those with most
-// triangles first.
+// The plan of the whole picture as text, then the plans of its groups of draws: of a few groups
+// only, those with the most triangles first.
 std::string plan_text(const Scene& scene, const Plan& plan, const PlannedEye& eye);
 
-// All groups of draws, with the instances in each.
+// All groups of draws as JSON, with the instances in each group.
 nlohmann::ordered_json to_json(const Plan& plan, const PlannedEye& eye);
-
-// The tile engine, which also keeps the plans of the pictures that it draws.
 
 // The plans of the pictures of all jobs, as text and as JSON.
 struct PlannedPictures {
-  std::vector<std::string> texts;  // one per eye
+  std::vector<std::string> texts;  // one text per eye
   std::vector<nlohmann::ordered_json> json;
-  TileReport report;  // of all pictures
+  TileReport report;  // on all pictures together
 };
 
+// The tile engine, which also keeps the plans of the pictures that it draws.
 class PlanningEngine : public Engine {
 public:
-  // `planned` must outlive the engine. Each job adds to it.
+  // `planned` must outlive the engine. Each call of draw() adds the plans of its pictures to it.
   PlanningEngine(const TileOptions& options, PlannedPictures& planned);
 
-  // Draws twice and counts the second time, because the first one also starts threads and allocates
-  // memory.
+  // Draws twice and counts in the second run, because the first run also starts threads and
+  // allocates memory.
   PairCullCounts draw(const PictureJob& job) override;
 
 private:

@@ -11,7 +11,7 @@ namespace glassbox::app {
 
 namespace {
 
-// bytes of a position, a normal, or a triangle's indices
+// the size in bytes of a position, of a normal, or of a triangle's three indices
 constexpr std::uint64_t kTriple = 3 * sizeof(float);
 
 std::string amount(std::uint64_t bytes) {
@@ -57,7 +57,7 @@ std::string tile_text(const Statistics& s, const TileReport& report) {
       with_separators(report.triangles), with_separators(report.list_entries),
       with_separators(report.tiles), with_separators(report.large_triangles));
   if (report.runs < report.draws) {
-    text += fmt::format("  draws: {} in {} runs of one mesh, each one list of triangles\n",
+    text += fmt::format("  draws: {}, joined into {} lists of triangles, each of one mesh\n",
                         with_separators(report.draws), with_separators(report.runs));
   }
   if (report.textures > 0) {

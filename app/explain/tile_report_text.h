@@ -12,18 +12,19 @@
 
 namespace glassbox::app {
 
-// The bytes of the tables that a stage reads and writes, each table counted once. Not counted are
-// data that stay in a core's cache, such as a tile's own buffer, and repeated fetches of the same
-// cache line.
+// The bytes of the tables that a stage reads and writes, each table counted once. Data that stay in
+// a core's cache, such as a tile's own buffer, and repeated fetches of the same cache line are not
+// counted.
 struct StageBytes {
   std::uint64_t read = 0, written = 0;
 };
 struct TileBytes {
-  // read: positions and normals as modelled; written: screen entries, eye space
+  // reads positions and normals in object space; writes snapped screen coordinates and eye-space
+  // data
   StageBytes vertices;
-  // read: indices and screen entries; written: the tiles' lists, large triangles
+  // reads indices and screen coordinates; writes the tiles' lists of triangles, and large triangles
   StageBytes triangles;
-  // read: those lists, entries and indices; written: the framebuffer's planes
+  // reads the tiles' lists, large triangles, indices and screen coordinates; writes the framebuffer
   StageBytes fragments;
 };
 TileBytes bytes_moved(const Statistics& statistics, const TileReport& report);

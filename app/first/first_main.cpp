@@ -1,4 +1,4 @@
-// The program with only as much as its first picture needs. ./glassbox runs it while the rest is
+// A smaller program, with only what the first picture needs. ./glassbox runs it while the rest is
 // not built yet.
 #include <exception>
 

@@ -13,8 +13,9 @@ namespace glassbox::app {
 
 namespace {
 
-// After so many rounds, a frame that still shows depths outside its known span gets the whole
-// range, so that planning ends.
+// The planner draws the frames in rounds, until no frame shows depths outside the range known for
+// it. From this round on, a frame that still does so gets the whole range of depths, so that
+// planning ends.
 constexpr int kRoundsBeforeWholeRange = 8;
 
 RenderSettings distance_only(RenderSettings settings) {
@@ -34,8 +35,8 @@ DepthSpan union_of(const DepthSpan& a, const DepthSpan& b) {
   return {std::min(a.nearest, b.nearest), std::max(a.farthest, b.farthest)};
 }
 
-// The range of distances that can be drawn at all. The margin covers the few roundings by which the
-// distances, which are floats, are computed (render/engine/distance.h).
+// The range of distances that can be drawn at all, from the near to the far plane. The margin
+// covers the few rounding errors of the distances, which are floats (render/engine/distance.h).
 DepthSpan whole_range(const View& view) {
   constexpr double kMargin = 1e-6;
   const double far = std::isinf(view.far) ? 0 : std::abs(view.far);
@@ -44,8 +45,8 @@ DepthSpan whole_range(const View& view) {
   return {view.near - margin, view.far + kMargin * far};
 }
 
-// Frames without a span get that of the frame before; those at the beginning get that of the first
-// frame with one.
+// A frame in which nothing is seen has no span of depths: it gets the span of the frame before it.
+// Such frames at the beginning get the first known span.
 void fill_gaps(std::vector<StereoFrame>& frames, const std::vector<std::size_t>& empty) {
   std::vector<bool> known(frames.size(), true);
   for (const std::size_t i : empty) known[i] = false;
@@ -110,12 +111,13 @@ private:
     rates_.at_most = plan_.separation_bound / 2;
     rates_.window_frames = rates_.release_frames = limits_.release_frames;
     plan_.step_bound = limits_.max_step.value_or(largest_limit() / limits_.release_frames);
-    // If all separations are 0, or the release takes no time, the step has no bound.
+    // If all separations are 0, the bound would be 0 or NaN. Then there is no bound on the change
+    // per frame.
     if (!(plan_.step_bound > 0)) plan_.step_bound = std::numeric_limits<double>::infinity();
     rates_.max_step = plan_.step_bound / 2;
   }
 
-  // The largest separation that the budget allows in any frame.
+  // The largest separation that the parallax budget allows in any frame.
   double largest_limit() const {
     SmoothingOptions free = rates_;
     free.release_frames = 0;
@@ -137,7 +139,8 @@ private:
     return {};
   }
 
-  // Draws the pair of a frame and adds the depths seen to its span. Returns whether the span grew.
+  // Draws both eyes' pictures of a frame and adds the depths seen to its span. Returns whether the
+  // span grew.
   bool widen_span(std::size_t i, int round) {
     ++plan_.measured_pairs;
     const auto seen = depth_seen_by(renderer_, frames_[i].centre, plan_.pairs[i], settings_);
@@ -150,7 +153,7 @@ private:
     return true;
   }
 
-  // Chooses the pairs anew. Returns the frames whose separation has changed.
+  // Chooses the separations of all frames again. Returns the frames whose separation has changed.
   std::vector<std::size_t> replan() {
     std::vector<StereoPair> pairs = smoothed_stereo_pairs(frames_, limits_.budget, rates_);
     std::vector<std::size_t> changed;

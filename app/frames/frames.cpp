@@ -30,7 +30,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A picture, and what was measured in it.
+// A picture, with the numbers measured in it.
 struct DrawnFrame {
   Image<Rgba8> image;
   FrameRecord record;
@@ -188,7 +188,7 @@ private:
     std::vector<const CLI::Option*> options = request_.picture.options;
     options.insert(options.end(), request_.stereo.options.begin(), request_.stereo.options.end());
     const StereoPair* pair = stereo() ? &report_.eyes->pairs[i] : nullptr;
-    std::vector<TextEntry> recipe;  // empty for a scene from a pipe: it could not be read again
+    std::vector<TextEntry> recipe;  // empty for a scene from a pipe, which cannot be read again
     if (request_.scene != "-") {
       recipe = to_text(Recipe{request_.scene, frame_command_words(sequence_[i], pair, options),
                               GLASSBOX_VERSION});
@@ -207,7 +207,8 @@ private:
     return request_.json ? write_json(*request_.json, frames_json(report_)) : Result<void>{};
   }
 
-  // Notes frames that show nothing, and frames with hardly any separation compared with the others.
+  // Prints notes about frames that show nothing, and about frames whose separation is less than a
+  // hundredth of the largest one.
   void note_odd_frames() {
     if (!report_.eyes) return;
     double most = 0;
@@ -230,7 +231,7 @@ private:
     if (flat > 0) {
       progress_.print_line(fmt::format(
           "note: in {} of the frames the eye separation is less than a hundredth of the path's "
-          "largest; in frame {} something is only {:.3g} in front of the camera",
+          "largest; in frame {} something is only {:.3g} world units in front of the camera",
           flat, flattest->number, flattest->seen->nearest));
     }
   }

@@ -21,8 +21,8 @@ struct FrameRecord {
   int number = 1;
   double time = 0;
   std::string image;
-  // Set if there are two eyes: measured on the distance planes of the frame's pictures. Parallax is
-  // >= 0 on either side of the window.
+  // These members are set if there are two eyes. They are computed from the distances at the pixels
+  // of both pictures. in_front_px and behind_px are >= 0.
   StereoPair pair;
   std::optional<DepthSpan> seen;
   double in_front_px = 0, behind_px = 0;

@@ -13,7 +13,7 @@ namespace glassbox::app {
 
 namespace {
 
-// In the picture's own units, which are px if it is shown at full size.
+// Sizes in the SVG picture's own units, which are px if it is shown at full size.
 constexpr double kWidth = 960, kLeft = 78, kRight = 170, kTop = 86, kGap = 62, kBottom = 52;
 constexpr double kPlotWidth = kWidth - kLeft - kRight;
 
@@ -39,7 +39,7 @@ struct PlottedCurve {
   std::vector<double> values;
 };
 
-// A text to the right of the plot, at the height of a value.
+// A text to the right of the plot, at the height of the value that it names.
 struct Label {
   std::string style, text;
   double at = 0;
@@ -146,7 +146,7 @@ private:
     const std::size_t count = report_.frames.size();
     const auto step = std::size_t(std::max(1.0, tick_step(double(count), 10)));
     const double bottom = top + height;
-    // Marks the first frame, then round numbers.
+    // Tick marks are at the first frame and at round frame numbers.
     for (std::size_t number = 1; number <= count;
          number += number == 1 && step > 1 ? step - 1 : step) {
       const double x = x_of(number - 1);

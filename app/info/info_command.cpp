@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/info/info_parts.h"
+#include "app/info/info_sections.h"
 #include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/output_options.h"
@@ -58,7 +58,7 @@ std::string bounds_text(const Box<Space>& box) {
                      box.low.z, box.high.x, box.high.y, box.high.z);
 }
 
-// Warnings and lists of extensions are printed up to this length.
+// Names, lists of extensions and warnings are cut after this number of characters.
 constexpr std::size_t kLongText = 1000;
 
 std::string alpha_name(AlphaMode mode) {
@@ -96,9 +96,10 @@ std::vector<std::string> findings(const MeshReport& report) {
   count(report.self_intersecting_faces, "face that crosses itself", "faces that cross themselves");
   count(report.duplicate_faces, "duplicate face", "duplicate faces");
   if (report.non_planar_faces > 0) {
-    found.push_back(fmt::format("{} (the worst is face {}, by {:.3g})",
-                                counted(report.non_planar_faces, "bent face"),
-                                report.worst_planarity_face, report.worst_planarity_deviation));
+    found.push_back(
+        fmt::format("{} (the worst is face {}: a corner is {:.3g} object units off its plane)",
+                    counted(report.non_planar_faces, "bent face"), report.worst_planarity_face,
+                    report.worst_planarity_deviation));
   }
   count(report.unused_positions, "unused vertex", "unused vertices");
   return found;
@@ -146,7 +147,7 @@ Json mesh_json(const Mesh& mesh, const MeshReport& report) {
 }
 
 struct Totals {
-  std::uint64_t triangles = 0, lines = 0, points = 0;  // after instancing, as drawn
+  std::uint64_t triangles = 0, lines = 0, points = 0;  // as drawn: counted once for each instance
 };
 
 Totals totals(const Scene& scene, const std::vector<MeshReport>& reports) {
@@ -283,7 +284,7 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
 
 int InfoCommand::tell_of_layers() const {
   if (glb_output_)
-    return refuse({scene_, "--write", "a layered depth image is not a scene", "leave it out"});
+    return refuse({scene_, "--write", "a layered depth image is not a scene", "leave --write out"});
   const Result<LayersInfo> info = layers_info(scene_);
   if (!info) return refuse(info.error());
   if (json_output_) {

@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "app/info/info_parts.h"
+#include "app/info/info_sections.h"
 #include "cli/options/picture_options.h"
 #include "study/commands/stiffness/report.h"
 #include "study/stiffness/stiffness.h"
@@ -114,10 +114,10 @@ std::string contents_text(const GltfContents& contents) {
 
 namespace {
 
-// The check takes about four microseconds per triangle.
+// Larger scenes are not checked, because the check takes about four microseconds per triangle.
 constexpr std::uint64_t kMostTriangles = 200'000;
-// The check takes about half a microsecond per fragment, and at most half of a triangle's bounding
-// box is fragments.
+// The check is also left out if the triangles' bounding boxes have more pixels together: it takes
+// about half a microsecond per fragment, and up to half of a bounding box's pixels are fragments.
 constexpr double kMostBoxPixels = 1 << 25;
 
 // The number of the picture's pixels in a triangle's bounding box; all pixels if a corner is not in
@@ -149,7 +149,7 @@ double box_pixels(const Scene& scene, const View& view) {
 
 std::vector<std::string> not_asked(const std::string& because) {
   return {
-      fmt::format("the error bounds of the default view were not computed, because of {}; glassbox "
+      fmt::format("the error bounds of the default view were not computed, because {}; glassbox "
                   "study stiffness computes them",
                   because)};
 }
@@ -158,12 +158,13 @@ std::vector<std::string> not_asked(const std::string& because) {
 
 std::vector<std::string> numerical_warnings(const Scene& scene) {
   const std::uint64_t triangles = count_triangles(scene);
-  if (triangles > kMostTriangles) return not_asked(fmt::format("{} triangles", triangles));
+  if (triangles > kMostTriangles)
+    return not_asked(fmt::format("the scene has {} triangles", triangles));
   const PictureOptions usual;
   const Result<ChosenView> chosen = choose_view(scene, usual);
   if (!chosen) return {};
   if (!(box_pixels(scene, chosen->view) <= kMostBoxPixels))
-    return not_asked("how often its triangles cover each other");
+    return not_asked("its triangles cover each other too often");
   return study::stiffness_warnings(scene, study::stiffness_of(scene, chosen->view, usual.settings,
                                                               study::up_of(scene, usual.camera)));
 }

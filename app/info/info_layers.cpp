@@ -1,4 +1,4 @@
-#include "app/info/info_parts.h"
+#include "app/info/info_sections.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ const char* lens_word(const Lens& lens) {
   return std::holds_alternative<FrustumLens>(lens) ? "frustum" : "perspective";
 }
 
-// The number of pixels with 1, 2, 3 ... samples.
+// The number of pixels with 1, with 2, with 3 ... samples.
 std::vector<std::size_t> pixels_by_samples(const views::LayeredImage& image) {
   std::vector<std::size_t> counts;
   for (std::size_t pixel = 0; pixel + 1 < image.first.size(); ++pixel) {
@@ -67,7 +67,7 @@ Result<LayersInfo> layers_info(const std::string& file) {
   const views::LayerCounts counts = views::count_layers(image);
   const std::vector<std::size_t> by_samples = pixels_by_samples(image);
   const Lens& lens = layers->camera.lens;
-  // cannot fail: the decoder has checked it
+  // value() cannot fail: the decoder has checked the camera
   const View view = make_view(layers->camera, image.camera.width, image.camera.height).value();
   const auto& pose = layers->camera.world_from_eye;
   const std::array<double, 3> eye{pose.at(0, 3), pose.at(1, 3), pose.at(2, 3)};

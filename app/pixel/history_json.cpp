@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/why/verdict.h"
+#include "app/why/verdict_text.h"
 #include "cli/report/number_json.h"
 
 namespace glassbox {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/why/verdict.h"
+#include "app/why/verdict_text.h"
 #include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
@@ -55,7 +55,7 @@ std::string depth_note(const PixelEvent& event, const std::vector<PixelEvent>& e
                      *event.stored_by, event.code, event.stored, event.distance - by.distance);
 }
 
-// A note that does not fit into the row; empty if the row is enough.
+// What there is to say about an event besides its row in the table; empty if the row says all.
 std::string event_note(const PixelHistory& history, const PixelEvent& event) {
   std::string text;
   switch (event.kind) {
@@ -113,8 +113,8 @@ std::string misses_text(const Scene& scene, const PixelHistory& history, bool al
     const std::string how =
         missed.miss.value == 0
             ? std::string("the centre is on an edge that belongs to the neighbour")
-            : fmt::format("outside an edge by {} (E = {})", subpixels_text(missed.miss.subpixels),
-                          missed.miss.value);
+            : fmt::format("past an edge by {} (edge function {})",
+                          subpixels_text(missed.miss.subpixels), missed.miss.value);
     PixelEvent event;
     event.instance = missed.instance;
     event.face = missed.face;

@@ -8,7 +8,8 @@
 
 namespace glassbox::app {
 
-// One row per event. The few triangles nearest to the pixel's centre that miss it, or all of them.
+// The table has one row per event. It lists the few triangles that miss the pixel's centre most
+// narrowly, or, if `all_misses`, all that miss it.
 std::string history_text(const Scene& scene, const PixelHistory& history, bool all_misses);
 
 }  // namespace glassbox::app

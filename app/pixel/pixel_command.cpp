@@ -10,7 +10,7 @@
 #include "app/commands.h"
 #include "app/pixel/history_json.h"
 #include "app/pixel/history_text.h"
-#include "app/why/verdict.h"
+#include "app/why/verdict_text.h"
 #include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
 #include "cli/options/builtin_help.h"
@@ -35,7 +35,7 @@ private:
   Answer answer(const Scene& scene, const View& view) const;
 
   PictureQuestion question_;
-  PixelAt at_;
+  PixelPosition at_;
   bool all_ = false;  // list all triangles that narrowly miss the pixel's centre
 };
 
@@ -43,8 +43,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The world-space point seen at the pixel's centre, at `distance` along the gaze from the eye.
-Result<Point<World, double>> world_point(const View& view, PixelAt pixel, double distance) {
+// The world-space point seen at the pixel's centre. `distance` is its distance from the eye,
+// measured along the direction of view.
+Result<Point<World, double>> world_point(const View& view, PixelPosition pixel, double distance) {
   const auto& m = view.clip_from_eye;
   const double clip_z = double(m.at(2, 2)) * -distance + double(m.at(2, 3));
   const double ndc_z = view.perspective ? clip_z / distance : clip_z;
@@ -54,12 +55,13 @@ Result<Point<World, double>> world_point(const View& view, PixelAt pixel, double
 // The final contents of the pixel in the picture.
 struct SeenPixel {
   Rgba8 color;
-  std::optional<NumberedTriangle> triangle;  // none: a line, a point or the background
-  std::optional<double> distance;            // none: the background
+  std::optional<NumberedTriangle> triangle;  // none for a line, a point or the background
+  std::optional<double> distance;            // none for the background
   std::optional<Point<World, double>> world;
 };
 
-SeenPixel seen_at(const Scene& scene, const View& view, const Framebuffer& buffers, PixelAt at) {
+SeenPixel seen_at(const Scene& scene, const View& view, const Framebuffer& buffers,
+                  PixelPosition at) {
   SeenPixel seen;
   seen.color = buffers.color.at(at.x, at.y);
   const std::uint32_t id = buffers.id.at(at.x, at.y);
@@ -101,10 +103,9 @@ Json json_of(const Scene& scene, const SeenPixel& seen) {
   return json;
 }
 
-// Whether the words are options that add_picture_options knows, written as
-// given_option_words writes them,
-// and nothing else. In particular there is no "--" or "++", which would change the meaning of the
-// words after it.
+// Whether the words are options that add_picture_options knows, written as given_option_words
+// writes them, and nothing else. In particular there is no "--" or "++", which would change the
+// meaning of the words after it.
 bool are_picture_options(const std::vector<std::string>& words) {
   CLI::App app;
   PictureOptions picture;
@@ -114,14 +115,14 @@ bool are_picture_options(const std::vector<std::string>& words) {
         // CLI11 expects the words in reverse order
         std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::Error&) {
-    return false;  // --help throws as well
+    return false;  // CLI11 throws for an unknown option, and for --help too
   }
   return given_option_words(picture) == words;
 }
 
 }  // namespace
 
-std::string pixel_command_line(const Recipe& recipe, PixelAt pixel) {
+std::string pixel_command_line(const Recipe& recipe, PixelPosition pixel) {
   if (recipe.scene.starts_with('-') || !are_picture_options(recipe.options)) return {};
   return shell_line(
       {{"pixel", recipe.scene}, recipe.options, {"--at", fmt::format("{},{}", pixel.x, pixel.y)}});

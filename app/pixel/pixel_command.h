@@ -11,6 +11,6 @@ namespace glassbox::app {
 
 // The command line that shows pixel (x, y) of the picture that the recipe makes. Empty if the
 // recipe, which comes from a file, is not one that this program writes.
-std::string pixel_command_line(const Recipe& recipe, PixelAt pixel);
+std::string pixel_command_line(const Recipe& recipe, PixelPosition pixel);
 
 }  // namespace glassbox::app

@@ -22,16 +22,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A quantity of a stage, with its error bounds in the unit that is printed.
+// A quantity that a stage computes, such as the stored depth, with its error bounds.
 struct Row {
   const char* stage;
   const char* number;
   const char* unit;
   const BoundSummary& bounds;
-  double units = 1;  // printed units per unit of the summary
+  double units = 1;  // factor from the unit of `bounds` to the printed unit
 };
 
-// A part of the run that the engine times, with the quantities it computes.
+// A part of the run that the engine times, with the error bounds of the quantities it computes.
 struct Part {
   const char* name;
   double ms;
@@ -63,7 +63,8 @@ std::vector<Part> parts_of(const ErrorReport& report) {
 
 // ---- where ----
 
-// For an edge, the triangle that it belongs to is named.
+// The kind of the primitive: "triangle", "line" or "point". In a wireframe picture an edge is
+// reported as its triangle.
 const char* kind_of(const BoundPlace& place) {
   if (!place.line || *place.line == LineKind::kEdge) return "triangle";
   return *place.line == LineKind::kLine ? "line" : "point";
@@ -170,8 +171,8 @@ std::string parts_text(const ErrorReport& report) {
   return text;
 }
 
-// The commands that show the place with the largest bound in the picture, and the vertex with the
-// largest.
+// The commands that show two places: the one with the largest error bound in the picture, and the
+// vertex with the largest error bound.
 std::string commands_text(const ErrorReport& report) {
   std::string text;
   for (const BoundSummary* bounds : {&report.errors.snapped, &report.errors.picture}) {
@@ -212,8 +213,8 @@ std::string second_eye_text(const ErrorReport& report) {
       "  {:<40}{:>9}    ({})\n"
       "  {:<40}{:>9.2f} %\n"
       "  {:<40}{:>9.2f} ms\n"
-      "  {:<40}{:>9.2f} ms, {:.2f} times one\n"
-      "  {:<40}{:>9.2f} ms, {:.2f} times one\n",
+      "  {:<40}{:>9.2f} ms, {:.2f} times one eye\n"
+      "  {:<40}{:>9.2f} ms, {:.2f} times one eye\n",
       counted(std::uint64_t(eye.layers), "layer"), "pixels that differ by more than 8/255",
       percent(eye.warped.wrong), percent(eye.left.wrong), "root mean square, 1/255", eye.warped.rms,
       eye.left.rms, "largest, 1/255", eye.warped.largest, eye.left.largest,

@@ -17,19 +17,20 @@
 namespace glassbox::app {
 
 struct ErrorReport {
-  std::string scene;                 // as the user gave it
-  std::vector<std::string> picture;  // the words of its options: --size 320x180
+  std::string scene;  // as the user gave it
+  // the options that choose the picture, as words: --size 320x180
+  std::vector<std::string> picture;
   int width = 0, height = 0;
   View view;
   RenderSettings settings;
   std::string engine;     // the engine that drew the picture: "the tile engine, 2 threads, avx512"
-  Statistics statistics;  // of that engine
+  Statistics statistics;  // counted by the engine that drew the picture
   PictureErrors errors;
   std::optional<views::SecondEyeError> second_eye;  // for a pair whose right eye was warped
 };
 
 std::string error_report_text(const ErrorReport& report);
-// Schema "glassbox-report/1" (docs/exactness.md).
+// The report as JSON with the schema "glassbox-report/1" (docs/exactness.md).
 nlohmann::ordered_json error_report_json(const ErrorReport& report);
 
 }  // namespace glassbox::app

@@ -1,4 +1,5 @@
-// glassbox render SCENE: draws a picture, and writes other planes of the framebuffer if asked for.
+// glassbox render SCENE: draws a picture and, if asked for, writes other images of the framebuffer,
+// such as the depths.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -49,7 +50,7 @@ namespace glassbox::app {
 
 struct DrawnPicture;
 
-// Milliseconds.
+// How long loading the scene and the whole run took.
 struct RunTimes {
   double load_ms = 0, total_ms = 0;
 };
@@ -89,13 +90,13 @@ private:
   bool stats_ = false;
 };
 
-// The picture, and the data for reports about it.
+// The picture, and the data for the reports about it.
 struct DrawnPicture {
   Camera camera;
-  View view;  // if there are two eyes, of the camera between them
+  View view;  // for two eyes: the view of the camera between them
   Image<Rgba8> image;
   Framebuffer planes;
-  // The statistics of each eye with its name, which is empty if there is only one.
+  // The statistics of each eye with the eye's name, which is empty if there is only one eye.
   std::vector<std::pair<std::string, Statistics>> stages;
   std::string eyes_text;
   nlohmann::ordered_json eyes_json;
@@ -136,7 +137,7 @@ bool nothing_drawn(const DrawnPicture& drawn) {
   return std::ranges::all_of(drawn.stages, [](const auto& eye) { return eye.second.covered == 0; });
 }
 
-// The times of all eyes added up, without counts.
+// The times of all eyes added up. The counts are left at 0.
 Statistics times_of_all(const DrawnPicture& drawn) {
   Statistics sum;
   for (const auto& [eye, one] : drawn.stages) {
@@ -305,17 +306,18 @@ Result<DrawnPicture> RenderCommand::draw(const Scene& scene, Renderer& renderer)
 
 int RenderCommand::run_frames(const std::string& default_output) {
   if (depth_output_ || id_output_) {
-    return refuse({"", depth_output_ ? "--depth-out" : "--id-out",
-                   "it would be different for each frame",
-                   "leave it out; a frame's PNG file holds the options that render it alone"});
+    return refuse(
+        {"", depth_output_ ? "--depth-out" : "--id-out", "it would be different for each frame",
+         "leave this option out; a frame's PNG file holds the options that render it alone"});
   }
   if (stats_) {
-    return refuse(
-        {"", "--stats", "it would be different for each frame", "leave it out, or use --json"});
+    return refuse({"", "--stats", "it would be different for each frame",
+                   "leave --stats out, or use --json"});
   }
   if (report_output_) {
-    return refuse({"", "--report", "it would be different for each frame",
-                   "leave it out; a frame's PNG file holds the options that render it alone"});
+    return refuse(
+        {"", "--report", "it would be different for each frame",
+         "leave --report out; a frame's PNG file holds the options that render it alone"});
   }
   if (output_ == "-") {
     return refuse(
@@ -394,8 +396,8 @@ int RenderCommand::run() {
   return report(output, *drawn, times);
 }
 
-// Computes the errors in a separate run, so that the drawing of the picture is neither changed nor
-// slowed down.
+// Computes the error bounds in a run of its own, so that the drawing of the picture is neither
+// changed nor slowed down.
 Result<void> RenderCommand::write_error_report(const Scene& scene, Renderer& renderer,
                                                const DrawnPicture& drawn) const {
   // The report on a pair is about the left eye, which is always drawn.

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "app/step/number_text.h"
-#include "app/step/point_parts.h"
-#include "app/step/stage_parts.h"
+#include "app/step/point_texts.h"
+#include "app/step/stage_texts.h"
 #include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
@@ -30,7 +30,8 @@ std::string rows(const glm::dmat4& m) {
   return matrix_rows(m, kIndent, 9);
 }
 
-// The largest `distance` between corresponding entries of two matrices.
+// `distance` is a function of two numbers. Returns its largest value over all corresponding entries
+// of two matrices.
 template <class Distance>
 auto largest_over(int columns, const glm::dmat4& a, const glm::dmat4& b, Distance distance) {
   decltype(distance(0.0, 0.0)) largest{};
@@ -99,8 +100,8 @@ std::string axis_angle_text(const Camera& camera, const View& view) {
   return text + sentence("their product, bit for bit:") + rows(view.eye_from_world.columns);
 }
 
-// The difference between eye_from_world and that of the usual formulation; empty if it is the usual
-// one.
+// The difference between this view's eye_from_world and the usual formulation's; empty if this is
+// the usual formulation.
 std::string view_difference_text(const SteppedTriangle& stepped) {
   if (!stepped.usual_view || stepped.formulation.view == ViewForm::kUvn) return "";
   const glm::dmat4& a = stepped.chosen.view.eye_from_world.columns;
@@ -139,7 +140,7 @@ struct LensText {
   }
 };
 
-// The formula of the entries that follow from the near and far planes (projection.h).
+// The formula of the entries that depend on the near and far planes (projection.h).
 std::string depth_formula(const View& view) {
   const bool reversed = view.depth_range == DepthRange::kReversed;
   if (!view.perspective) {
@@ -153,7 +154,8 @@ std::string depth_formula(const View& view) {
                   : "[2][2] = -f/(f-n), [2][3] = -n f/(f-n), w = -z";
 }
 
-// The formulas of the other entries, for the forms that the slides use.
+// The formulas of the other entries, in the forms that the slides use: the scales [0][0] and
+// [1][1], and for kAlphaBeta also alpha and beta.
 std::string entries_text(const View& view, ProjectionForm form) {
   const double a = view.clip_from_eye.at(0, 0), b = view.clip_from_eye.at(1, 1);
   const double n = view.near, f = view.far, aspect = b / a;
@@ -205,8 +207,9 @@ std::string lens_text(const Camera& camera, const View& view, ProjectionForm for
   return text + sentence(depth_formula(view)) + rows(view.clip_from_eye.columns);
 }
 
-// A perspective matrix in two steps: from the viewing pyramid to the regular one, and from that to
-// the box. Empty for parallel views.
+// A perspective matrix as the product of two steps: the first scales the viewing pyramid so that it
+// becomes |x|, |y| <= z, and the second turns this pyramid into the box of NDC. Empty for parallel
+// views.
 std::string two_steps_text(const View& view) {
   const auto factors = perspective_factors(view.clip_from_eye);
   if (!factors) return "";
@@ -221,8 +224,8 @@ std::string two_steps_text(const View& view) {
   return text + sentence("their product is clip_from_eye, bit for bit");
 }
 
-// The difference between clip_from_eye and that of the usual formulation; empty if it is the usual
-// one.
+// The difference between this view's clip_from_eye and the usual formulation's; empty if this is
+// the usual formulation.
 std::string projection_difference_text(const SteppedTriangle& stepped) {
   if (!stepped.usual_view || stepped.formulation.projection == ProjectionForm::kPerspective)
     return "";

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/step/number_text.h"
-#include "app/step/stage_parts.h"
+#include "app/step/stage_texts.h"
 
 #include <glassbox/matrices/decimal.h>
 
@@ -37,8 +37,8 @@ std::string distances_table(const SteppedTriangle& stepped, const StepTarget& ta
   return text;
 }
 
-// The polygon after clipping by a plane: for each vertex, which vertices before it comes from, and
-// its position.
+// The polygon after clipping by one plane: for each of its vertices, the position, and the vertices
+// of the polygon before this plane that it comes from.
 std::string polygon_text(const ClipStep& step) {
   std::string text;
   for (std::size_t i = 0; i < std::size_t(step.after.count); ++i) {
@@ -70,7 +70,7 @@ std::string cut_text(const SteppedTriangle& stepped) {
   return text;
 }
 
-// The result of --cull-stage object for the triangle, before anything is clipped.
+// The result for the triangle of --cull-stage object, which culls before anything is clipped.
 std::string early_culling_text(const SteppedTriangle& stepped) {
   if (!stepped.object_culling) return "";
   if (!stepped.object_culling->test) {

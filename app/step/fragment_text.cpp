@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/step/number_text.h"
-#include "app/step/stage_parts.h"
+#include "app/step/stage_texts.h"
 #include "cli/report/text_layout.h"
 
 #include <glassbox/matrices/decimal.h>

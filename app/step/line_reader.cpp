@@ -64,12 +64,13 @@ public:
     el_set(edit_, EL_EDITOR, "emacs");
     el_set(edit_, EL_HIST, history, history_);
     el_set(edit_, EL_SIGNAL, 1);  // Control-C restores the terminal
-    // The narrow call (el_set) would make wide copies of these words and never free them.
+    // el_set, the function for narrow characters, would copy these words as wide characters and
+    // never free the copies.
     el_wset(edit_, EL_ADDFN, L"complete", L"completes a word", &TerminalLineReader::complete_word);
     el_set(edit_, EL_BIND, "^I", "complete", nullptr);
     el_set(edit_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
-    // Between two prompts the terminal itself edits lines. An end of input typed then arrives as
-    // NUL.
+    // While no prompt is shown, the terminal itself edits the typed line and turns Control-D (end
+    // of input) into NUL. So NUL does here what Control-D does.
     el_set(edit_, EL_BIND, "^@", "em-delete-or-list", nullptr);
   }
   ~TerminalLineReader() override {

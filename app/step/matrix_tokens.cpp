@@ -53,7 +53,8 @@ private:
         ++line_;
         column_ = 1;
       } else if ((static_cast<unsigned char>(text_[at_]) & 0xc0) != 0x80) {
-        ++column_;  // counts characters: the later bytes of one in UTF-8 do not count
+        // a column is a character: bytes that continue a UTF-8 character are not counted
+        ++column_;
       }
     }
   }
@@ -82,8 +83,8 @@ private:
     }
   }
 
-  // The length in bytes of a no-break space, byte order mark, box-drawing character or piece of a
-  // tall bracket; 0 for anything else.
+  // The length in bytes of a no-break space, a byte order mark, a box-drawing character or a part
+  // of a tall bracket; 0 for anything else.
   std::size_t drawn_separator() const {
     if (starts_with("\u00a0")) return 2;
     if (starts_with("\ufeff")) return 3;
@@ -118,8 +119,8 @@ private:
                   "leave only the sixteen numbers, with blanks or commas between them");
   }
 
-  // Takes a quoted name. 'view matrix 3' and "cuda:0" are names, but "0.5" and "NaN" are quoted
-  // numbers.
+  // Reads a name in quotes. 'view matrix 3' and "cuda:0" are names, but "0.5" and "NaN" are numbers
+  // in quotes.
   bool take_quoted_name() {
     const char quote = peek();
     if (quote != '"' && quote != '\'') return false;
@@ -140,7 +141,7 @@ private:
     return equals_ignoring_case(word, "inf") || equals_ignoring_case(word, "infinity");
   }
 
-  // Takes a name. nan and inf are numbers; other names are kept as labels.
+  // Reads a name. nan and inf are numbers; other names are kept as labels.
   Result<void> take_name(std::size_t sign) {
     std::size_t length = sign;
     while (is_letter(peek(length)) || is_digit(peek(length)) || peek(length) == '.') ++length;
@@ -166,7 +167,7 @@ private:
 
   bool negative(std::size_t sign) const { return sign == 3 || (sign == 1 && peek() == '-'); }
 
-  // Takes digits with a point and an exponent (e, or d in Fortran), then perhaps a suffix as in C.
+  // Reads digits with a point and an exponent (e, or d in Fortran), then perhaps a suffix as in C.
   Result<void> take_number(std::size_t sign) {
     const char before = at_ > 0 ? text_[at_ - 1] : ' ';
     if (sign > 0 && (before == ')' || before == ']' || is_letter(before))) {
@@ -214,11 +215,11 @@ private:
     double value = 0;
     const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
     if (error == std::errc::result_out_of_range) {
-      // from_chars does not tell whether the number is too large or too small; strtod returns
-      // infinity or about 0.
+      // from_chars does not say whether the number is too large or too small for a double; strtod
+      // returns infinity or a number near 0.
       value = std::strtod(plain.c_str(), nullptr);
     }
-    if (std::isinf(float(value))) {  // the stages compute in float
+    if (std::isinf(float(value))) {  // because the stages compute in float
       return refuse(word_length(), "is too large for a float", "numbers go up to 3.4e38");
     }
     MatrixToken& token = push(MatrixToken::Kind::kNumber, length);
@@ -237,7 +238,7 @@ private:
     return text_.substr(std::min(text_.size(), at_ + offset)).starts_with(word);
   }
 
-  // Takes "1.#INF", "-1.#IND", "1.#QNAN0", which old C libraries of Windows print.
+  // Reads "1.#INF", "-1.#IND" or "1.#QNAN0", which old C libraries of Windows print.
   Result<void> take_old_special(std::size_t sign, std::size_t length) {
     const bool infinite = starts_with_at(length, "#INF");
     const double magnitude = infinite ? std::numeric_limits<double>::infinity()
@@ -256,8 +257,8 @@ private:
     return is_digit(next) || ((next == '+' || next == '-') && is_digit(peek(length + 2)));
   }
 
-  // Whether a number can end here. A following '*' is refused: it would be a factor for the whole
-  // matrix, or an expression.
+  // Whether the text of a number can end after `length` bytes. A following '*' is refused: the
+  // number would be a factor for the whole matrix, or part of an expression.
   bool ends_at(std::size_t length) const {
     const char c = peek(length);
     if (starts_with_at(length, "//") || starts_with_at(length, "/*")) return true;

@@ -31,8 +31,9 @@ std::array<std::string, 4> entry_rows(const glm::dmat4& m, int digits);
 // Four lines "[ a b c d ]", one per row.
 std::string matrix_rows(const glm::dmat4& m, const std::string& indent, int digits = 6);
 
-// The round trip from the screen back to object space, with a line per coordinate: the result, its
-// bound, and its distance from the original value. One line only if the bounds are infinite.
+// The point transformed back from the screen to object space, with a line per coordinate: the
+// result, its bound, and its distance from the original value. One line only if the bounds are
+// infinite.
 std::vector<std::string> round_trip_lines(const RoundTrip& trip, bool bits);
 
 }  // namespace glassbox::app

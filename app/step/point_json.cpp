@@ -1,4 +1,5 @@
-// The result for points as JSON: the matrices, the findings, and each point's walk.
+// The result for points as JSON: the matrices, the findings, and each point's coordinates in every
+// space.
 #include <cmath>
 
 #include <nlohmann/json.hpp>

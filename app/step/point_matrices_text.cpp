@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/step/number_text.h"
-#include "app/step/point_parts.h"
+#include "app/step/point_texts.h"
 #include "cli/report/text_layout.h"
 
 #include <glassbox/base/trig.h>
@@ -47,7 +47,8 @@ std::string model_text(const GivenMatrix& model) {
   return text + matrix_rows(model.m, "  ") + indented(affine_sentence(matrix_facts(model.m)));
 }
 
-// `lens` is the projection that belongs to the view; ProjectionKind::kNone if none is known.
+// The view matrix in words. `lens` is the projection that belongs to it; ProjectionKind::kNone if
+// none is known.
 std::string view_sentences(const GivenMatrix& view, const ProjectionFacts& lens) {
   const MatrixFacts facts = matrix_facts(view.m);
   std::string text = indented(affine_sentence(facts));

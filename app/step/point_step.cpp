@@ -55,8 +55,8 @@ void choose_dialect(const ApiDialect* asked, PointStep& step) {
   }
 }
 
-// A viewport of negative height, as in Vulkan, turns y over. This is treated as a clip space whose
-// y points the other way.
+// A viewport of negative height, as in Vulkan, flips y. This is treated as a clip space whose y
+// points the other way.
 void take_window(const std::optional<std::array<double, 4>>& asked, PointStep& step) {
   MatrixSetup& setup = step.setup;
   if (asked) step.window = *asked;

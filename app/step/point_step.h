@@ -1,6 +1,6 @@
-// glassbox step --point X,Y,Z --model FILE --view FILE --proj FILE: carries points through the
-// user's own matrices, space by space, and checks each matrix. If a point is not visible, searches
-// for the convention that would make it visible.
+// glassbox step --point X,Y,Z --model FILE --view FILE --proj FILE: transforms points by the user's
+// own matrices, space by space, and checks each matrix. If a point is not visible, searches for the
+// convention that would make it visible.
 #pragma once
 
 #include <array>
@@ -35,14 +35,15 @@ struct PointStepOptions {
 struct PointStep {
   struct Walk {
     VertexChain chain;
-    // uncertainty in the window from the digits of the matrices, in addition to the bounds
+    // How uncertain the position in the window is because the matrices were printed with few
+    // digits, px. The rounding error bounds do not include it.
     double digits_uncertainty_px = 0;
     std::optional<glm::dvec2> expected;
   };
 
   MatrixSetup setup;
-  // What the projection does. ProjectionKind::kNone if none was given, or if it is no projection;
-  // the report then does not use it.
+  // What the projection matrix does. ProjectionKind::kNone if no matrix was given, or if it is no
+  // projection; the report then does not use `lens`.
   ProjectionFacts lens;
   std::string dialect_reason;
   std::array<double, 4> window{0, 0, 1280, 720};

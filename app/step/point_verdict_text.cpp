@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/step/point_parts.h"
+#include "app/step/point_texts.h"
 #include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>

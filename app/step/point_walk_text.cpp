@@ -1,4 +1,5 @@
-// The middle part of the text about points: each point's way from object space to the window.
+// The middle part of the text about points: each point's coordinates from object space to the
+// window.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/step/number_text.h"
-#include "app/step/point_parts.h"
+#include "app/step/point_texts.h"
 #include "cli/report/text_layout.h"
 
 #include <glassbox/matrices/decimal.h>
@@ -26,7 +27,8 @@ std::size_t widest(const std::vector<std::string>& texts) {
   return width;
 }
 
-// [ matrix ] [ before ]   [ after ] +- bound, with as many digits as fit into the width.
+// One multiplication as text: [ matrix ] [ before ]   [ after ] +- bound, with as many digits as
+// fit into the width.
 std::string product_text(const TransformStep& step, bool bits) {
   std::string text;
   for (const int digits : {6, 5, 4, 3, 2}) {
@@ -79,7 +81,8 @@ std::string eye_sentence(const VertexChain& chain, const PointStep& step) {
                               side(double(eye.y), " up", " down")));
 }
 
-// Compares with the product of all matrices as one, which most programs use.
+// Compares the clip coordinates with those that a single matrix gives, the product of all matrices,
+// which most programs use.
 std::string combined_matrix_text(const VertexChain& chain) {
   const int factors = int(!is_identity(chain.to_world.matrix)) +
                       int(!is_identity(chain.to_eye.matrix)) +
@@ -93,7 +96,7 @@ std::string combined_matrix_text(const VertexChain& chain) {
       most == 0 ? " bits" : fmt::format(" to within {:.1e}", most));
 }
 
-// The left-hand form of a plane: "z + w" for the plane 0 <= z + w.
+// The side of a plane's inequality that has the coordinates: "z + w" for the plane 0 <= z + w.
 std::string plane_form(const ClipPlane& plane) {
   std::string form;
   for (const auto& [coefficient, name] :
@@ -121,8 +124,8 @@ std::string planes_table(const VertexChain& chain) {
   return text;
 }
 
-// Compares the point with the frustum's extent at its distance: the reason why it is outside the
-// plane.
+// Compares the point with the extent of the frustum at the point's distance: this shows why the
+// point is outside the plane.
 std::string frustum_sentence(const VertexChain& chain, const PointStep& step) {
   const ProjectionFacts& p = step.lens;
   const std::size_t plane = std::size_t(chain.deciding_plane);
@@ -157,7 +160,7 @@ std::string decision_of(const VertexChain& chain) {
     case VertexVerdict::kBehindEye:
       return fmt::format(
           "w = {} is negative: behind the eye. Dividing by it would flip the point to the front "
-          "(S3-13)",
+          "(S3-13 in docs/references.md)",
           w);
     case VertexVerdict::kInEyePlane:
       return "w = 0: the point lies in the plane of the eye, and its image at infinity";
@@ -228,14 +231,14 @@ std::string screen_text(const PointStep::Walk& walk, const PointStep& step) {
   const double scale = step.setup.dialect.z_from_minus_w ? 0.5 : 1;
   text += fmt::format("     depth {} {}", short_number(s.depth, 9), bound_text(s.bound.z * scale));
   const ProjectionFacts& p = step.lens;
-  // The error of the distance follows from that of the depth by the derivative of depth = alpha +
-  // beta/d: dd = d^2/|beta| times the depth's error (SPEC C, bound 8).
+  // The depth is alpha + beta/d at the distance d = w, so an error of the depth becomes an error of
+  // d that is d^2/|beta| times as large (SPEC C, bound 8).
   if (p.kind == ProjectionKind::kPerspective && !p.depth_lost && p.w_offset == 0) {
     const double w = double(chain.clip.w) / p.w_scale;
     text += fmt::format(": known to {:.1e} of distance", s.bound.z * w * w / std::abs(p.beta));
   }
   text += "\n";
-  // If it is smaller than the bounds, it is not worth reporting.
+  // An uncertainty below twice the rounding error bounds is not worth reporting.
   if (walk.digits_uncertainty_px > 2 * std::max(s.bound.x, s.bound.y)) {
     text +=
         sentence(fmt::format("the matrices are printed with too few digits, which adds an "

@@ -92,14 +92,15 @@ Result<std::vector<Labelled>> numbers_of(const Tokens& tokens, const std::string
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     const MatrixToken& token = tokens[i];
     if (is_subscript(tokens, i, after_name) || is_length(tokens, i)) {
-      i += 2;  // after_name is kept, for m[4][4]
+      i += 2;  // after_name stays true, for the second subscript of m[4][4]
       continue;
     }
     if (const auto repeats = repeats_at(tokens, i)) {
       if (numbers.empty() || tokens[i - 1].kind != Kind::kNumber) {
-        return tl::unexpected(
-            Error{name, fmt::format("line {}, column {}", token.line, token.column),
-                  "what is repeated is not a number", "use set print repeats 0 in gdb"});
+        return tl::unexpected(Error{name,
+                                    fmt::format("line {}, column {}", token.line, token.column),
+                                    "there is no number before <repeats ... times>",
+                                    "print the matrix again after `set print repeats 0` in gdb"});
       }
       const Labelled last = numbers.back();
       for (double k = 1; k < *repeats && numbers.size() <= 64; ++k) numbers.push_back(last);
@@ -116,7 +117,8 @@ Result<std::vector<Labelled>> numbers_of(const Tokens& tokens, const std::string
   return numbers;
 }
 
-// gdb shows each member of GLM's unions under all its names, such as x = r = s. Keeps one of them.
+// gdb shows each member of GLM's unions under all its names, such as x = r = s. Keeps the number
+// once.
 void drop_second_names(std::vector<Labelled>& numbers) {
   const auto is = [](const Labelled& n, std::string_view names) {
     return n.label.size() == 1 && names.find(n.label[0]) != std::string_view::npos;
@@ -127,7 +129,7 @@ void drop_second_names(std::vector<Labelled>& numbers) {
   std::erase_if(numbers, [&](const Labelled& n) { return is(n, "rgbastpq"); });
 }
 
-// "15": 1 is the last entry of a typed array that JavaScript writes as JSON.
+// Whether this is "15": 1, the last entry of a typed array that JavaScript writes as JSON.
 bool is_last_key(const Tokens& tokens, std::size_t i) {
   return tokens[i].text == "15" && is_mark(tokens, i + 1, "\"") && is_key(tokens, i);
 }

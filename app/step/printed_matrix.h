@@ -1,7 +1,8 @@
 // Reads a 4x4 matrix as some program printed it.
 //
 // The text has sixteen numbers in any layout. Brackets, commas, semicolons, names and line breaks
-// only separate them. These layouts are examples; "columns" marks those that are read by columns:
+// only separate them. These layouts are examples; the word "columns" marks the ones that are read
+// by columns:
 //
 //   1 0 0 0                           paper, Eigen, MATLAB, Fortran
 //   [[1., 0., 0., 0.], ...]           numpy, JSON, Rust's nalgebra
@@ -45,7 +46,7 @@ struct MatrixText {
 // Parses the text. Errors call it `name`.
 Result<MatrixText> parse_matrix_text(std::string_view text, const std::string& name);
 
-// The order: `asked` if given, else the one that the layout implies, else rows.
+// Returns `asked` if it is given, else the order that the layout implies, else rows.
 NumberOrder order_of(const MatrixText& text, std::optional<NumberOrder> asked);
 GivenMatrix to_matrix(const MatrixText& text, NumberOrder order);
 

@@ -37,11 +37,11 @@ struct PromptState {
 
 // ---- another choice ----
 
-// What a user's words can change.
+// What the options typed at the prompt can change.
 struct PromptRequest {
   PictureOptions picture;
   std::optional<std::uint32_t> triangle;
-  std::optional<PixelAt> pick;
+  std::optional<PixelPosition> pick;
   std::optional<std::string> vertex;  // "0", "1", "2" or "all"
 };
 
@@ -82,7 +82,7 @@ Result<PromptState> apply_options(const Scene& loaded, bool bits, const StepChoi
     target.vertex.reset();
     if (*request.vertex != "all") target.vertex = (*request.vertex)[0] - '0';
   }
-  // The words may contain another --filter.
+  // The scene with another texture filter, if the words contain --filter.
   std::optional<Scene> refiltered;
   if (request.picture.filter) refiltered = with_texture_filter(loaded, request.picture);
   const Scene& scene = refiltered ? *refiltered : loaded;
@@ -210,7 +210,7 @@ private:
 
   void show() const { fmt::print("{}", stages()[stage_index_].text); }
 
-  // Carries out a command. Returns false if it was the last one.
+  // Executes a command. Returns false if the command ends the prompt.
   bool run_command(const std::string& line) {
     const std::vector<std::string> words = split_words(line);
     const std::string command = words.empty() ? "n" : words.front();
@@ -249,7 +249,7 @@ private:
     for (const StageText& stage : stages()) fmt::print("{}\n", stage.text);
   }
 
-  // Turns "triangle 7" into "--triangle 7" and applies it.
+  // Replaces a command such as "triangle 7" by the option "--triangle 7" and applies it.
   void change_target(std::vector<std::string> words) {
     if (words.size() != 2) {
       fmt::print("  {} needs one more word: {}\n", words[0],

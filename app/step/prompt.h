@@ -43,8 +43,8 @@ std::unique_ptr<LineReader> make_stream_reader(std::istream& in);
 using Candidates = std::function<std::vector<std::string>(const std::vector<std::string>& words)>;
 
 // Reads from a terminal: the arrow keys move in the line and through earlier lines, Control-R
-// searches those, and the tab key completes words. If the terminal cannot do that (TERM unset or
-// dumb), behaves like make_stream_reader.
+// searches earlier lines, and the tab key completes words. If the terminal cannot do that (TERM
+// unset or dumb), behaves like make_stream_reader.
 std::unique_ptr<LineReader> make_terminal_reader(Candidates candidates);
 
 }  // namespace glassbox::app

@@ -1,11 +1,11 @@
-// Stage 6 of a stepped triangle in the slides' form, which has no depth.
+// Stage 6 of a stepped triangle as the slides first draw it: with a projection that keeps no depth.
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "app/step/number_text.h"
-#include "app/step/stage_parts.h"
+#include "app/step/stage_texts.h"
 #include "cli/report/text_layout.h"
 
 #include <glassbox/base/counted.h>
@@ -30,8 +30,8 @@ std::string point_text(const glm::dvec3& p) {
                      short_number(p.z, 9));
 }
 
-// Divides x_s and y_s by the window's half sides and tells how far the results are from the run's
-// NDC.
+// Divides x_s and y_s (the point on the view plane) by half the window's width and height, and says
+// by how many ulps the results differ from the NDC of the drawn vertex.
 std::string against_ndc(const View& view, const glm::dvec3& p, const TracedCorner& corner) {
   const NdcVertex ndc = divide(ClipVertex{corner.clip, {}});
   const double d = p.z;

@@ -1,12 +1,12 @@
-// glassbox step: carries a triangle of a scene, or points with the user's own matrices, through
-// every space and shows each number.
+// glassbox step: follows a triangle of a scene, or points multiplied by the user's own matrices,
+// through every space and shows each number.
 //
-// step_command reads the options and takes one of two ways. Each first computes everything and then
-// prints it:
+// step_command reads the options and calls one of two groups of sources. Each first computes
+// everything and then prints it:
 //
 //   glassbox step SCENE --triangle N | --pick X,Y
 //     stepped_triangle    the run for this triangle only (render/trace), with its error bounds
-//     triangle_stages     the texts of its stages, from object to picture; stage_parts.h lists the
+//     triangle_stages     the texts of its stages, from object to picture; stage_texts.h lists the
 //                         longer ones: camera_text (the matrices), clipping_text, singular_text,
 //                         fragment_text
 //     prompt, line_reader the same stage by stage at a prompt, with other cameras and triangles
@@ -15,11 +15,11 @@
 //     matrix_tokens, printed_matrix  reads a matrix as some program printed it
 //     matrices/           what the matrices are, what is wrong with them, and which change of
 //                         convention would make the points visible
-//     point_step          all of this for some points, which pipeline/vertex_chain.h carries from
-//                         space to space
+//     point_step          all of this for some points, transformed from space to space by
+//                         pipeline/vertex_chain.h
 //     point_matrices_text, point_walk_text, point_verdict_text, point_json   the answer
 //
-// number_text writes numbers for both.
+// number_text writes numbers as text for both groups.
 #include <unistd.h>
 
 #include <algorithm>
@@ -57,7 +57,7 @@ public:
   void add_to(CLI::App& app, int& exit_code);
 
 private:
-  // SCENE and the options that belong to it, with those of the picture.
+  // Adds SCENE and the options for a triangle of a scene, with the options of the picture.
   void add_triangle(CLI::App& command);
   int run();
   int run_triangle();
@@ -69,13 +69,13 @@ private:
   LoadLimits limits_;
   std::optional<std::uint32_t> triangle_;
   std::optional<int> vertex_;
-  std::optional<PixelAt> pick_;
+  std::optional<PixelPosition> pick_;
   bool interactive_ = false;
 
   PointStepOptions points_;
   bool bits_ = false;
   std::optional<std::string> json_output_;
-  std::uint32_t max_megabytes_ = 200;  // limit for JSON
+  std::uint32_t max_megabytes_ = 200;  // limit for the JSON output
 };
 
 namespace {
@@ -167,8 +167,9 @@ void add_matrices(CLI::App& command, PointStepOptions& o) {
 void add_conventions(CLI::App& command, PointStepOptions& o) {
   Choices<const ApiDialect*> dialects;
   for (const ApiDialect& dialect : api_dialects()) dialects.push_back({dialect.name, &dialect});
-  add_choice<const ApiDialect*>(command, "--dialect", o.dialect, dialects,
-                                "the API of clip space and window [guessed from the projection]")
+  add_choice<const ApiDialect*>(
+      command, "--dialect", o.dialect, dialects,
+      "the graphics API that the matrices are made for [guessed from them]")
       ->group(kGroup);
   add_choice<std::optional<Handedness>>(
       command, "--world", o.world, {{"right", Handedness::kRight}, {"left", Handedness::kLeft}},
@@ -176,12 +177,12 @@ void add_conventions(CLI::App& command, PointStepOptions& o) {
       ->group(kGroup);
 }
 
-// --size is one of the picture's options.
+// Adds --viewport. It must not be used with --size, which the picture's options have added before.
 void add_window(CLI::App& command, PointStepOptions& o) {
   command
       .add_option_function<std::string>(
           "--viewport", [&o](const std::string& text) { o.window = parse_window(text); },
-          "the window's rectangle, as glViewport takes it")
+          "the window in pixels: X, Y, width, height, as for glViewport")
       ->type_name("X,Y,W,H")
       ->group(kGroup)
       ->excludes(command.get_option("--size"));
@@ -277,8 +278,8 @@ int StepCommand::run() {
                  "give a scene and a triangle, or points and matrices"});
 }
 
-// Refuses too much JSON. A fragment takes about two kilobytes, so a triangle that fills a picture
-// can take hundreds or thousands of megabytes.
+// Refuses JSON above the limit. A fragment takes about two kilobytes, so a triangle that fills a
+// picture can take hundreds or thousands of megabytes.
 Result<void> StepCommand::check_size(std::size_t fragments) const {
   constexpr double kMegabytesOfFragment = 2.15e-3;
   const double megabytes = double(fragments) * kMegabytesOfFragment;
@@ -293,7 +294,7 @@ Result<void> StepCommand::check_size(std::size_t fragments) const {
 int StepCommand::run_triangle() {
   if (interactive_ && scene_ == "-") {
     return refuse({"", "--interactive", "standard input is the scene",
-                   "leave it out, or name the scene's file"});
+                   "leave --interactive out, or name the scene's file"});
   }
   print_pixel_centres_note(picture_);
   Progress progress;

@@ -12,7 +12,8 @@ namespace glassbox::app {
 
 namespace {
 
-// The view by the usual formulation of its matrices; nothing if the options use that one already.
+// The same view with the usual formulation of its matrices; nothing if the options choose the usual
+// formulation.
 std::optional<View> usual_view(const Scene& scene, const PictureOptions& picture) {
   if (picture.camera.formulation == Formulation{}) return std::nullopt;
   PictureOptions usual = picture;
@@ -31,7 +32,7 @@ std::optional<ObjectCulling> culling_of(const Scene& scene, const View& view,
 }
 
 // The number of the triangle that is visible in a pixel.
-Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, PixelAt pixel) {
+Result<std::uint32_t> pick(const Scene& scene, const PictureOptions& picture, PixelPosition pixel) {
   const Result<ChosenView> chosen = choose_view(scene, picture);
   if (!chosen) return tl::unexpected(chosen.error());
   RenderSettings settings = with_one_sample(picture.settings);
@@ -77,8 +78,8 @@ Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& p
 }
 
 Result<void> set_step_target(StepTarget& target, const Scene& scene, const PictureOptions& picture,
-                             std::optional<std::uint32_t> triangle, std::optional<PixelAt> pixel,
-                             const std::string& dashes) {
+                             std::optional<std::uint32_t> triangle,
+                             std::optional<PixelPosition> pixel, const std::string& dashes) {
   if (triangle) {
     const auto legal = check_triangle(dashes + "triangle", scene, *triangle);
     if (!legal) return legal;

@@ -1,5 +1,5 @@
-// A triangle of a scene, carried through every stage for one camera, as `glassbox step SCENE` shows
-// it.
+// A triangle of a scene, followed through every stage for one camera, as `glassbox step SCENE`
+// shows it.
 #pragma once
 
 #include <optional>
@@ -19,9 +19,9 @@
 namespace glassbox::app {
 
 struct StepTarget {
-  std::uint32_t triangle = 0;    // number in the whole scene
-  std::optional<int> vertex;     // 0, 1 or 2: the corner to show; absent: all three
-  std::optional<PixelAt> pixel;  // the fragment to look at
+  std::uint32_t triangle = 0;          // number in the whole scene
+  std::optional<int> vertex;           // 0, 1 or 2: the corner to show; absent: all three
+  std::optional<PixelPosition> pixel;  // the fragment to look at
 
   bool wants(std::size_t corner) const { return !vertex || std::size_t(*vertex) == corner; }
   friend bool operator==(const StepTarget&, const StepTarget&) = default;
@@ -30,16 +30,16 @@ struct StepTarget {
 struct SteppedTriangle {
   ChosenView chosen;
   Formulation formulation;         // how the two matrices of `chosen` were computed
-  std::optional<View> usual_view;  // the view by the usual formulation, if that is another one
+  std::optional<View> usual_view;  // the view by the usual formulation; absent if `chosen` has it
   Trace trace;                     // of this triangle only
   NumberedTriangle place;
-  // None if the triangle has no area as modelled, so that it is not drawn.
+  // Absent if the triangle has no area in object space, so that it is not drawn.
   std::optional<TracedTriangle> triangle;
   DrawBounds draw_bounds;
   TriangleBounds bounds;
-  // With --cull-stage object: the result of the test before clipping, or why there is none.
+  // With --cull-stage object: the result of the test before clipping, or why the test was not made.
   std::optional<ObjectCulling> object_culling;
-  int visible_pixels = 0;  // number of pixels of the finished picture that show it
+  int visible_pixels = 0;  // in how many pixels of the finished picture it is visible
 };
 
 // Runs the pipeline once for the triangle with this number, which must exist.
@@ -50,8 +50,8 @@ Result<SteppedTriangle> step_through(const Scene& scene, const PictureOptions& p
 // leaves it as it is if neither is given. An error if there is no such triangle or pixel, or if
 // nothing is visible there. `dashes` is the prefix of option names in errors.
 Result<void> set_step_target(StepTarget& target, const Scene& scene, const PictureOptions& picture,
-                             std::optional<std::uint32_t> triangle, std::optional<PixelAt> pixel,
-                             const std::string& dashes);
+                             std::optional<std::uint32_t> triangle,
+                             std::optional<PixelPosition> pixel, const std::string& dashes);
 
 const TracedDraw& draw_of(const SteppedTriangle& stepped);
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/step/number_text.h"
-#include "app/step/stage_parts.h"
+#include "app/step/stage_texts.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -84,8 +84,8 @@ std::string eye_text(const Context& c) {
 
 // ---- clip ----
 
-// The distance, in floats, between the run's clip coordinates and those computed in double via
-// world and eye space.
+// The largest difference, in ulps of float, between the vertex's clip coordinates as drawn and
+// those computed in double via world and eye space.
 std::uint64_t ulps_from_chain(const View& view, const TracedCorner& corner) {
   const glm::dvec4 chain = view.clip_from_eye.columns * glm::dvec4(to_glm(corner.eye), 1);
   const glm::vec4 run = to_glm(corner.clip);
@@ -112,7 +112,7 @@ std::string clip_text(const Context& c) {
 
 // ---- NDC and screen ----
 
-// k if the vertex is corner k; nothing if clipping made it.
+// Returns k if the vertex is corner k of the triangle; nothing if clipping made the vertex.
 std::optional<std::size_t> corner_of(const TracedVertex& vertex) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (vertex.clip.weights[k] == 1) return k;
@@ -120,7 +120,7 @@ std::optional<std::size_t> corner_of(const TracedVertex& vertex) {
   return {};
 }
 
-// The chosen vertices of the clipped polygon, one block each.
+// The chosen vertices of the clipped polygon, each with several lines of text.
 template <class Lines>
 std::string vertices_text(const Context& c, const Lines& lines) {
   std::string text;
@@ -156,7 +156,7 @@ std::string snap_text(std::int32_t snapped, const SnapStability& snap) {
                          : fmt::format("(not sure: {:.1e} px from the next)", snap.to_boundary));
 }
 
-// The way back from the screen to object space.
+// The transformation back from the screen to object space, as text.
 std::string round_trip_text(const Context& c) {
   const auto& corners = c.stepped.bounds.corners;
   if (std::none_of(corners.begin(), corners.end(),

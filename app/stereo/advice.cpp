@@ -20,7 +20,8 @@ double rounded_down(double value) {
   return std::floor(value / unit) * unit;
 }
 
-// The number as an option's value, with six digits. Results of rounded_down fit into these.
+// The number as the value of an option. It has six digits, which is enough for results of
+// rounded_down.
 std::string option_number(double value) {
   return std::isinf(value) ? "inf" : fmt::format("{:g}", value);
 }
@@ -43,7 +44,7 @@ struct Eyes {
 std::optional<Eyes> eyes_for(const StereoFindings& found, double window) {
   const View& centre = found.chosen.centre;
   if (!(window > 0) || std::isinf(window)) return {};
-  // fails for any separation, so it is the window that is not possible
+  // A failure at this tiny separation means that the window itself is not possible.
   if (!check_pair(centre, {window * 1e-9, window})) return {};
   const double at_most =
       std::max(found.chosen.eyes.pair.half_separation, window / kWindowsPerSeparation / 2);
@@ -53,21 +54,24 @@ std::optional<Eyes> eyes_for(const StereoFindings& found, double window) {
   return Eyes{rounded_down(2 * half), window};
 }
 
-// Eyes with the current window, rounded as it is on the command line if that is possible.
+// Eyes with the current window, rounded to six digits as on the command line; with the unrounded
+// window if the rounded one is not possible.
 std::optional<Eyes> eyes_for_same_window(const StereoFindings& found) {
   const double window = found.chosen.eyes.pair.window;
   const auto same = eyes_for(found, std::strtod(option_number(window).c_str(), nullptr));
   return same ? same : eyes_for(found, window);
 }
 
-// Eyes with a window of three digits, not farther than this distance.
+// Eyes with the window at this distance, rounded down to three digits; unrounded if the camera
+// cannot have the rounded window.
 std::optional<Eyes> eyes_before(const StereoFindings& found, double distance) {
   if (!(distance > 0) || std::isinf(distance)) return {};
   const auto rounded = eyes_for(found, rounded_down(distance));
   return rounded ? rounded : eyes_for(found, distance);
 }
 
-// Eyes with the window at which the nearest and the farthest visible depth both reach the budget.
+// Eyes with the window at which the nearest and the farthest visible depth both have the largest
+// parallax that the budget allows.
 std::optional<Eyes> best_eyes(const StereoFindings& found) {
   return eyes_before(found,
                      best_window(found.chosen.centre, *found.depth.seen, display_budget(found)));
@@ -143,7 +147,8 @@ void advise_on_colour(const StereoFindings& found, std::vector<Advice>& all) {
   const ColourFindings& colour = found.colour;
   if (!colour.suggestion) return;
   const double now = colour.mean_rivalry;
-  const MethodFindings* best = nullptr;  // the best method that keeps colours
+  // the method with the least rivalry among those that keep colours
+  const MethodFindings* best = nullptr;
   for (const MethodFindings& method : colour.methods) {
     const bool grey =
         method.method == AnaglyphMethod::kTrue || method.method == AnaglyphMethod::kGrey;
@@ -158,17 +163,17 @@ void advise_on_colour(const StereoFindings& found, std::vector<Advice>& all) {
   const Compromise& chosen = colour.suggestion->chosen;
   all.push_back(
       {fmt::format(
-           "Or change the colours: with glassbox render's --desaturate {:.2f} --brighten {:.2f}, "
-           "c' = b + (1 - b) lerp(c, luma(c), k), the {} anaglyph has a mean rivalry of {:.3f}, at "
-           "a mean colour difference of {:.1f} (CIEDE2000){}.",
+           "Or move the colours towards grey and white: with glassbox render's --desaturate {:.2f} "
+           "--brighten {:.2f}, the {} anaglyph has a mean rivalry of {:.3f}, and its colours "
+           "change by {:.1f} on average (CIEDE2000){}.",
            chosen.recolour.desaturate, chosen.recolour.brighten, name_of(found.criteria.method),
            chosen.rivalry, chosen.difference,
-           colour.suggestion->meets_target ? "" : "; greys cannot do better"),
+           colour.suggestion->meets_target ? "" : "; not even a grey picture has less rivalry"),
        {}});
 }
 
 void advise_on_content(const StereoFindings& found, std::vector<Advice>& all) {
-  constexpr double kLittle = 0.01;  // share of the picture
+  constexpr double kLittle = 0.01;  // fraction of the picture
   if (found.information.share >= kLittle) return;
   all.push_back(
       {"There is little for the eyes to compare: upright edges, thin things and textures "

@@ -64,7 +64,8 @@ DepthFindings find_depth(const Scene& scene, const ChosenEyes& chosen,
 
 // ---- vertical parallax ----
 
-// The eye-space point that is visible at a pixel's centre in the centre's picture.
+// The eye-space point that is visible at a pixel's centre in the picture of the camera between the
+// eyes.
 Point<Eye, double> eye_point(const View& centre, int x, int y, double distance) {
   const auto& m = centre.clip_from_eye;
   const double w = centre.perspective ? distance : 1;

@@ -43,8 +43,8 @@ Image<Rgba8> draw_marks(const Image<Rgba8>& picture, const Image<Mark>& marks,
 
 Rgba8 disparity_colour(double px, double limit_px) {
   const double share = limit_px > 0 ? std::clamp(px / limit_px, -1.0, 1.0) : 0;
-  // Two steps on each side, to a medium and to a dark colour: large disparities differ from small
-  // ones in brightness too, so that the map can be read without seeing colours.
+  // On each side of 0 the scale runs over a medium to a dark colour: large disparities differ from
+  // small ones in brightness too, so that the map can be read without seeing colours.
   const Rgba8& middle = share < 0 ? kOrange : kBlue;
   const Rgba8& end = share < 0 ? kFarthestOut : kFarthestIn;
   const double size = std::abs(share);

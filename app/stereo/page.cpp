@@ -23,8 +23,8 @@ std::string hex_of(const Rgba8& colour) {
 }
 
 // The largest disparity of the colour scale. It is the largest in the pictures, but at most twice
-// the budget: otherwise a single object right in front of the camera would leave no colours for the
-// rest.
+// the budget: otherwise a single object right in front of the camera would leave no colours for
+// everything else.
 double disparity_limit(const DepthFindings& depth) {
   const double largest = std::max({std::abs(depth.nearest.px), std::abs(depth.farthest.px)});
   const double budget = std::max(depth.budget.in_front_px, depth.budget.behind_px);
@@ -35,7 +35,7 @@ Json disparity_colours(double limit_px) {
   constexpr int kSteps = 32;  // on either side of 0
   Json colours = Json::array();
   for (int i = -kSteps; i <= kSteps; ++i) {
-    // If the limit is 0, all colours are that of the window.
+    // If the limit is 0, all colours are the colour of the window.
     colours.push_back(hex_of(disparity_colour(limit_px * i / kSteps, limit_px)));
   }
   return colours;

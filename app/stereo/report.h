@@ -23,7 +23,8 @@ struct StereoPageOrigin {
 // A page has about ten pictures. An error if they would be too large for a browser.
 Result<void> check_page_size(int width, int height);
 
-// `report` is the JSON of stereo_json, which follows the scene's name and the picture's size.
+// `report` has the scene's name, the picture's size and the members of stereo_json; the page's
+// script reads it.
 Result<std::string> make_stereo_page(const StereoFindings& found,
                                      const nlohmann::ordered_json& report,
                                      const StereoPageOrigin& origin);
@@ -61,18 +62,18 @@ Rgba8 disparity_colour(double px, double limit_px);
 // The absolute values as a heat map from 0 (black) to `limit` (white).
 Image<Rgba8> heat_of(const Image<float>& values, double limit);
 
-// For each pixel, the larger absolute value of the two.
+// For each pixel, the larger one of the two images' absolute values.
 Image<float> larger_of(const Image<float>& a, const Image<float>& b);
 
-// Edges that the eyes see at different positions in orange, other edges in blue, over the picture
-// in dark grey.
+// Shows edges that the eyes see at different positions in orange and other edges in blue, over the
+// picture in dark grey.
 Image<Rgba8> information_picture(const Image<Rgba8>& left, const Image<std::uint8_t>& marks);
 
-// The pixels of surfaces that the picture's edge cuts in red, over the picture in grey.
+// Shows the pixels of surfaces that the picture's edge cuts in red, over the picture in grey.
 Image<Rgba8> violation_picture(const Image<Rgba8>& eye, const Image<std::uint8_t>& marks);
 
-// Pixels that only this eye sees: hidden from the other eye in orange, outside the other picture in
-// blue, missing there in magenta.
+// Shows pixels that only this eye sees: those hidden from the other eye in orange, those outside
+// the other eye's picture in blue, those missing there in magenta.
 Image<Rgba8> monocular_picture(const Image<Rgba8>& eye, const Image<OtherEyeVisibility>& map);
 
 }  // namespace glassbox::app

@@ -48,7 +48,7 @@ private:
   StereoCriteria criteria_;
   EngineOptions engine_;
   std::optional<std::string> html_output_, json_output_;
-  std::vector<const CLI::Option*> options_;  // those of the report that a command line repeats
+  std::vector<const CLI::Option*> options_;  // the report's options, which command_line() repeats
 };
 
 namespace {
@@ -84,7 +84,8 @@ void add_report_options(CLI::App& command, StereoCriteria& criteria) {
           [&criteria](const std::string& text) {
             criteria.target_rivalry = parse_number("--target-rivalry", text);
           },
-          fmt::format("target for the mean rivalry of the anaglyph, 0 to 1 [{:g}]",
+          fmt::format("largest mean rivalry of the anaglyph that is still good, from 0 (equally "
+                      "bright to both eyes) to 1 [{:g}]",
                       criteria.target_rivalry))
       ->type_name("R")
       ->group(group);

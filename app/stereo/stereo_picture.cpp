@@ -44,7 +44,7 @@ void add_strength(CLI::App& command, const std::string& name, double& value,
       ->group("Eyes (stereo)");
 }
 
-// How the second eye is warped; nothing if it is drawn.
+// Parses the word that says how the second eye's picture is warped; returns nothing if it is drawn.
 std::optional<views::SecondEyeSettings> parse_second_eye(const std::string& text) {
   const std::string word = CLI::detail::to_lower(text);
   if (word == "drawn") return std::nullopt;
@@ -93,7 +93,8 @@ AnaglyphMasks masks_for(Glasses glasses) {
           {eyes.right.r, eyes.right.g, eyes.right.b, true}};
 }
 
-// `width` columns, starting at `first`. Empty for a plane that was not drawn.
+// Cuts `width` columns, starting at `first`, out of an image. Empty for an image that was not
+// drawn.
 template <class Pixel>
 Image<Pixel> columns_of(const Image<Pixel>& wide, int first, int width) {
   if (wide.pixels.empty()) return {};
@@ -240,26 +241,26 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
   if (stereo.form.layout && (stereo.anaglyph.method || stereo.anaglyph.glasses)) {
     return fail(stereo.anaglyph.method ? "--anaglyph" : "--glasses",
                 fmt::format("--stereo {} is not an anaglyph", name_of(*stereo.form.layout)),
-                "leave it out, or give --stereo anaglyph");
+                "leave this option out, or give --stereo anaglyph");
   }
   if (stereo.form.layout && stereo.cable) {
     return fail("--cable",
                 fmt::format("--stereo {} is not an anaglyph", name_of(*stereo.form.layout)),
-                "leave it out, or give --stereo anaglyph");
+                "leave --cable out, or give --stereo anaglyph");
   }
   if (stereo.eyes_by == EyeFrusta::kCrop && stereo.culling == StereoCulling::kCentre) {
     return fail("--stereo-cull centre",
                 "--eyes-by crop draws each eye by itself, so nothing is culled for both",
-                "leave it out, or leave out --eyes-by crop");
+                "leave out one of the two options");
   }
   if (stereo.second_eye && stereo.eyes_by == EyeFrusta::kCrop) {
     return fail("--eyes-by crop", "--second-eye warp works with skewed frusta only",
-                "leave it out, or leave out --second-eye");
+                "leave out one of the two options");
   }
   if (stereo.second_eye && stereo.culling == StereoCulling::kCentre) {
     return fail("--stereo-cull centre",
                 "--second-eye warp draws the left eye alone, so nothing is culled for both",
-                "leave it out, or leave out --second-eye");
+                "leave out one of the two options");
   }
   if (const auto legal = check_recolour(stereo.recolour); !legal) return legal;
   if (stereo.form.layout == StereoLayout::kInterlaced && picture.size.height == 1) {

@@ -23,8 +23,8 @@
 namespace glassbox::app {
 
 struct AnaglyphOptions {
-  std::optional<AnaglyphMethod> method;  // absent: mask
-  std::optional<Glasses> glasses;        // absent: red-cyan
+  std::optional<AnaglyphMethod> method;  // absent: kMask
+  std::optional<Glasses> glasses;        // absent: kRedCyan
 };
 
 // Adds --anaglyph and --glasses.
@@ -61,7 +61,7 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
 // A right eye's picture that was warped instead of drawn.
 struct WarpedRightEye {
   int layers = 1;                     // number of layers that were asked for
-  std::size_t pixels = 0, holes = 0;  // the picture's pixels; those of them that no layer reached
+  std::size_t pixels = 0, holes = 0;  // all pixels; how many of them no layer reached
   double left_ms = 0, layers_ms = 0, warp_ms = 0;
 };
 
@@ -72,23 +72,25 @@ struct StereoPicture {
   std::optional<WarpedRightEye> warped;  // how the right eye was warped, if it was
 };
 
-// Draws the picture. The options must have been checked. `second` is used for right eyes that are
-// warped; reusing one for a sequence keeps its threads and memory.
+// Draws the picture. The options must have been checked. `second` draws right eyes that are warped;
+// reusing one for a sequence keeps its threads and memory.
 Result<StereoPicture> render_stereo_picture(Renderer& renderer, const Scene& scene,
                                             const ChosenEyes& chosen,
                                             const RenderSettings& settings,
                                             const StereoPictureOptions& stereo,
                                             views::SecondEye& second);
 
-// The parallax at the near plane, window and far plane, in pixels and per cent of the width, and
-// what was culled.
+// As text: the parallax at the near plane, window and far plane, in pixels and per cent of the
+// width, and how many triangles were culled although an eye can see them.
 std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering);
 nlohmann::ordered_json eyes_json(const ChosenEyes& chosen, const StereoRendering& rendering);
 
-// How much the eyes' pictures differ from those of skewed frusta; empty if they were not cropped.
+// How much the eyes' pictures differ from pictures with skewed frusta; empty if they were not
+// cropped.
 std::string cropped_text(const StereoPicture& picture);
 
-// What the right eye was warped from, and how long that took; empty if it was drawn.
+// From how many layers the right eye's picture was warped, and how long that took; empty if it was
+// drawn.
 std::string warped_text(const StereoPicture& picture);
 nlohmann::ordered_json warped_json(const WarpedRightEye& warped);
 

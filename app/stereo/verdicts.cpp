@@ -29,7 +29,7 @@ Verdict about_parallax(const StereoFindings& found) {
       depth.nearest.percent, depth.farthest.percent, found.criteria.budget_percent);
   const double share = depth.share_beyond_budget();
   if (share == 0) return {"parallax", Level::kGood, "within the budget: " + seen};
-  constexpr double kFew = 0.01;  // share of the pixels: too few to tire the eyes
+  constexpr double kFew = 0.01;  // fraction of the pixels that is too small to tire the eyes
   return {"parallax", share < kFew ? Level::kWarning : Level::kBad,
           fmt::format("beyond the budget in {:.3g} % of the pixels: {}", 100 * share, seen)};
 }
@@ -98,10 +98,11 @@ Verdict about_ghosts(const StereoFindings& found) {
                         name_of(found.criteria.glasses))};
   }
   return {"ghosts", Level::kFact,
-          fmt::format("the other eye's light, compared with white: left {:.1f} % on average and "
-                      "{:.1f} % at worst, right {:.1f} % and {:.1f} %",
-                      100 * colour.mean_ghost.left, 100 * colour.worst_ghost.left,
-                      100 * colour.mean_ghost.right, 100 * colour.worst_ghost.right)};
+          fmt::format(
+              "light of the other eye's picture, compared with white: left {:.1f} % on average and "
+              "{:.1f} % at worst, right {:.1f} % and {:.1f} %",
+              100 * colour.mean_ghost.left, 100 * colour.worst_ghost.left,
+              100 * colour.mean_ghost.right, 100 * colour.worst_ghost.right)};
 }
 
 Verdict about_order(const StereoFindings& found) {
@@ -111,13 +112,14 @@ Verdict about_order(const StereoFindings& found) {
     return {"order of the eyes", Level::kBad, "swapped: near things look far, and far things near"};
   }
   if (pair.order == EyeOrder::kUnknown) {
-    return {"order of the eyes", Level::kFact,
-            "unknown: these pictures have too little displaced texture"};
+    return {
+        "order of the eyes", Level::kFact,
+        "unknown: these pictures have too little texture that the eyes see at different places"};
   }
   return {
       "order of the eyes", Level::kGood,
       fmt::format(
-          "correct: {} of {} windows with texture fit this order, {} fit the swapped order{}",
+          "correct: {} of {} small squares with texture fit this order, {} fit the swapped order{}",
           pair.in_order, pair.windows, pair.swapped,
           anaglyph.order == EyeOrder::kUnknown ? "; the anaglyph's colours do not show it" : "")};
 }
@@ -135,8 +137,10 @@ Verdict about_information(const StereoFindings& found) {
 Verdict about_one_eye(const StereoFindings& found) {
   const auto& counts = found.depth.monocular_counts;
   const auto share = [](const MonocularCounts& eye, const DisparitySummary& summary) {
-    return fmt::format("{:.2f} % ({} hidden, {} outside the other picture, {} missing)",
-                       percent_of(eye.all(), summary.drawn), eye.hidden, eye.beside, eye.missing);
+    return fmt::format(
+        "{:.2f} % ({} hidden, {} outside the other picture, {} on surfaces that face away or are "
+        "too thin)",
+        percent_of(eye.all(), summary.drawn), eye.hidden, eye.beside, eye.missing);
   };
   return {"seen by one eye", Level::kFact,
           fmt::format("in the left picture {}, in the right one {}",

@@ -25,7 +25,7 @@ struct Verdict {
 // The verdicts in the order of importance.
 std::vector<Verdict> verdicts_of(const Scene& scene, const StereoFindings& found);
 
-// The names of the objects that a violation cuts: "trunk, ground and 3 others".
+// The names of the objects that the picture's edge cuts: "trunk, ground and 3 others".
 std::string names_of_cut(const Scene& scene, const WindowViolation& violation);
 
 // Suggests changes to a pair of eyes, in words and as options.

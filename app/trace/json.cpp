@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Writes each number as a field with its name.
+// Adds each number to `json` as a field with its name.
 struct JsonFields {
   Json& json;
 

@@ -1,5 +1,5 @@
 // Writes a run as JSON text with the schema "glassbox-trace/1", one record per line. Records are
-// written as they arrive, so that the run is never in memory as a tree.
+// written as they arrive, so that the JSON values of the whole run are never in memory.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ std::string head_text(const Scene& scene, const std::string& scene_name, const V
 
 class TraceText : public TraceSink {
 public:
-  // Writes one record of every `one_in` and only counts the others. This gives an estimate of the
+  // Writes only one record of every `one_in` and counts the rest. This gives an estimate of the
   // whole text's size.
   TraceText(const Scene& scene, const View& view, const RenderSettings& settings,
             std::uint64_t one_in = 1);
@@ -31,7 +31,8 @@ public:
   // The size of the text in bytes; with one_in > 1, an estimate of the whole text's size.
   std::uint64_t bytes() const;
 
-  // Returns the whole text, with this name of the scene. The collected records are then gone.
+  // Returns the whole text, with this name of the scene. Call it once: it moves the collected
+  // records out.
   std::string finish(const std::string& scene_name);
 
 private:

@@ -103,7 +103,7 @@ private:
   Result<void> check_words() const;
   Result<void> check_filter(const Scene& scene) const;
   Result<void> check_size(std::uint64_t bytes, const TraceCounts& counts, Progress& progress) const;
-  // These return a sentence about what was written.
+  // Each of these returns a sentence about what was written.
   Result<std::string> write_json(const Scene& scene, const View& view, Progress& progress);
   Result<std::string> write_npz(const Scene& scene, const View& view, Progress& progress);
 
@@ -128,7 +128,7 @@ constexpr const char* kTraceFooter =
     "opens with numpy.load. The options of the picture are those of glassbox render.\n\n";
 
 constexpr double kMegabyte = 1e6;
-// bytes; sizes below it are printed with decimals
+// sizes below this number of bytes are printed with decimals
 constexpr std::uint64_t kWorthSaying = 10'000'000;
 
 std::string megabytes(std::uint64_t bytes) {
@@ -232,7 +232,7 @@ Result<void> TraceCommand::check_words() const {
     const bool of_fragments = array.substr(0, array.find('.')) == "fragment";
     if (of_fragments && !filter_.fragments) {
       return fail("--arrays " + array, "--stages leaves the fragments out",
-                  "add fragments to --stages, or leave it out");
+                  "add fragments to --stages, or leave --stages out");
     }
   }
   if (output_ != "-") {
@@ -321,7 +321,7 @@ Result<std::string> TraceCommand::write_npz(const Scene& scene, const View& view
 int TraceCommand::run() {
   if (const auto legal = check_words(); !legal) return refuse(legal.error());
   print_pixel_centres_note(picture_);
-  // the limit is checked by --max-mb instead
+  // the filter needs no limit, because --max-mb limits the size
   filter_.max_bytes = std::numeric_limits<std::uint64_t>::max();
   Progress progress;
   const Result<Scene> scene = load_scene_argument(scene_, picture_, progress);

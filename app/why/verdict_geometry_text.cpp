@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/why/verdict.h"
+#include "app/why/verdict_text.h"
 
 namespace glassbox {
 
@@ -135,7 +135,9 @@ std::vector<std::string> outside_plane_texts(const ClippingVerdict& clipping, co
   std::vector<std::string> texts{depth_text(clipping, view)};
   if (const std::string remedy = depth_remedy(clipping); !remedy.empty()) texts.push_back(remedy);
   if (clipping.inside_opengl_depth) {
-    texts.push_back("All corners have -w <= z <= w: with OpenGL's planes it would be kept (E16).");
+    texts.push_back(
+        "All corners have -w <= z <= w: with OpenGL's planes it would be kept (E16 in "
+        "docs/references.md).");
   }
   return texts;
 }
@@ -205,8 +207,10 @@ std::string object_space_text(const BackFaceTest& test) {
   const char* meaning = "so the eye lies in its plane";
   if (test.facing == Facing::kBack) meaning = "greater than 0, so the eye is behind its plane";
   if (test.facing == Facing::kFront) meaning = "less than 0, so the eye is in front of its plane";
-  return fmt::format("In object space (P - eye) . m = {:.9g} +- {:.1e}, {}.", test.value,
-                     test.bound + test.viewer_error_bound, meaning);
+  return fmt::format(
+      "In object space (P - eye) . m, where P is a corner and m the normal, is {:.9g} +- {:.1e}, "
+      "{}.",
+      test.value, test.bound + test.viewer_error_bound, meaning);
 }
 
 std::vector<std::string> cull_texts(const CullVerdict& found) {
@@ -245,7 +249,7 @@ std::string between_text(const CentreMiss& miss) {
   }
   return fmt::format(
       "It covers no pixel's centre in the picture. The nearest is that of pixel ({}, {}), outside "
-      "one of its edges by {} (E = {} in 1/65536 px^2).",
+      "one of its edges by {} (edge function E = {} in 1/65536 px^2).",
       miss.x, miss.y, subpixels_text(miss.subpixels), miss.value);
 }
 

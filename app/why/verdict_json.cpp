@@ -1,4 +1,4 @@
-#include "app/why/verdict.h"
+#include "app/why/verdict_text.h"
 
 #include <nlohmann/json.hpp>
 

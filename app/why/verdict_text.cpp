@@ -1,4 +1,4 @@
-#include "app/why/verdict.h"
+#include "app/why/verdict_text.h"
 
 #include <algorithm>
 
@@ -49,7 +49,7 @@ std::string lines_text(std::uint64_t pixels) {
       counted(pixels, "pixel"));
 }
 
-// For a triangle that clipping has cut: what became of its pieces, which can differ.
+// What happened to each of the triangles into which clipping has cut this one.
 std::string pieces_text(const TriangleVerdict& verdict) {
   std::vector<std::string> parts;
   if (verdict.pieces_set_up > 0) {
@@ -85,8 +85,8 @@ std::string occluders_text(const std::vector<Occluder>& occluders) {
 }
 
 std::string closest_text(const FragmentDetails::Hidden& h) {
-  const std::string where = fmt::format("The closest call is at pixel ({}, {}), against {}: ", h.x,
-                                        h.y, occluder_text(h.by));
+  const std::string where = fmt::format(
+      "The depths differ least at pixel ({}, {}), against {}: ", h.x, h.y, occluder_text(h.by));
   if (h.code == h.stored) {
     return where + fmt::format(
                        "both have depth code 0x{:08x} (distances {:.9g} and {:.9g}), and at equal "
@@ -99,7 +99,7 @@ std::string closest_text(const FragmentDetails::Hidden& h) {
                      h.code, h.stored, h.code - h.stored, h.distance, h.stored_distance);
 }
 
-// A share in words: "all 12 fragments", "3 of 12 fragments".
+// A part of the fragments in words: "all 12 fragments", "3 of 12 fragments".
 std::string share_text(std::uint32_t part, std::uint32_t all) {
   if (part < all) return fmt::format("{} of {} fragments", part, all);
   return all == 1 ? "its only fragment" : fmt::format("all {} fragments", all);
@@ -114,7 +114,8 @@ std::string unchanged_text(const TriangleFragmentCounts& t, const FragmentDetail
       u.blended ? fmt::format(", with alpha {:.9g}", u.alpha) : "");
 }
 
-// One paragraph for each fate that some of the fragments had.
+// One paragraph for each thing that happened to some fragments: visible, hidden, discarded and so
+// on.
 std::vector<std::string> explain_fragments(const TriangleVerdict& verdict) {
   std::vector<std::string> text;
   const TriangleFragmentCounts& t = verdict.fragments;

@@ -1,4 +1,5 @@
-// glassbox why SCENE [--triangle N]: explains what became of a triangle, or of all of them.
+// glassbox why SCENE [--triangle N]: explains why a triangle, or a whole scene, is or is not
+// visible.
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -10,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/why/verdict.h"
+#include "app/why/verdict_text.h"
 #include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/picture_question.h"
@@ -55,7 +56,7 @@ std::uint64_t parse_number(const std::string& text) {
   return number;
 }
 
-// The pixel that shows the reason best.
+// The pixel at which the reason for the verdict is best seen.
 std::optional<std::array<int, 2>> telling_pixel(const TriangleVerdict& verdict) {
   const FragmentDetails& d = verdict.details;
   if (d.example) return d.example;

@@ -1,4 +1,4 @@
-// The smaller number. If the numbers are equal, or if one is a NaN, it is the first.
+// The smaller number. If the numbers are equal, or if one is a NaN, the result is the first.
 template <class T>
 inline T least(T a, T b) {
   return select(b < a, b, a);

@@ -7,8 +7,8 @@ namespace glassbox {
 
 namespace {
 
-// One number of the keyframes (chosen by `value_of`, from a keyframe's index) as a function of
-// time.
+// One number of the keyframes as a function of time. `value_of` gives the number for a keyframe's
+// index.
 template <class ValueOf>
 class Curve {
 public:

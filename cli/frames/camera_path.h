@@ -11,7 +11,7 @@ struct Keyframe {
   double time = 0;  // a time, or a frame's number from 1
   std::array<double, 3> eye{0, 0, 0}, look_at{0, 0, -1}, up{0, 1, 0};
   double fov_degrees = 0;        // used where the path has angles
-  std::optional<double> window;  // used where the path has windows; absent: at the point looked at
+  std::optional<double> window;  // used where the path has windows; absent: at the target
 };
 
 enum class Interpolation { kLinear, kSmooth };
@@ -33,18 +33,17 @@ struct CameraPath {
 double time_of_frame(const CameraPath& path, int number, int count);
 
 // The camera at a time. Before the first keyframe and after the last it stands still. Every number
-// is interpolated on its own:
+// is interpolated on its own. Let it be a at the keyframe before, at time ta, and b at the keyframe
+// after, at time tb. With h = tb - ta and u = (t - ta)/h, its value at time t is
+//   linear   a + u (b - a)
+//   smooth   a + u (h ma + u (3 (b - a) - h (2 ma + mb) + u (h (ma + mb) - 2 (b - a)))),
+//            the cubic through a and b that has the slopes ma and mb there
 //
-//   linear   a + u (b - a) between the keyframes' a and b, u = (t - ta)/(tb - ta)
-//   smooth   the cubic through a and b with the slopes ma and mb,
-//            a + u (h ma + u (3 (b - a) - h (2 ma + mb) + u (h (ma + mb) - 2 (b - a)))),
-//            h = tb - ta
-//
-// The slope of `smooth` is 0 at the first and the last keyframe and where the number turns round.
-// Elsewhere it is the weighted harmonic mean of the slopes d before and e after the keyframe,
+// The slope of `smooth` is 0 at the first and the last keyframe, and at a keyframe where the number
+// has a maximum or a minimum. At other keyframes it is the weighted harmonic mean
 //   (v + w)/(v/d + w/e), v = h + 2g, w = 2h + g,
-// where a slope is (b - a)/h, and h and g are the lengths of the intervals before and after the
-// keyframe (Fritsch and Butland 1984).
+// where d is the slope (b - a)/h over the interval before the keyframe, h that interval's length,
+// and e and g the same for the interval after the keyframe (Fritsch and Butland 1984).
 //
 // Between two keyframes a number stays between their two values: nothing overshoots. Only sums,
 // products and quotients are used, so that the same path gives the same bytes everywhere.
@@ -54,8 +53,9 @@ struct CameraPose {
 };
 CameraPose camera_at(const CameraPath& path, double time);
 
-// The window of a path that has windows. 1/window is interpolated, because parallax is linear in
-// it. `looked_at` is the window's distance at keyframes that leave it to the camera.
+// The distance of the stereo window at a time. 1/window is interpolated, because parallax is linear
+// in it. `looked_at` is the window's distance at keyframes without a window: the distance of the
+// point that the camera looks at.
 double window_at(const CameraPath& path, double time, double looked_at);
 
 }  // namespace glassbox

@@ -23,8 +23,8 @@ class FrameNames {
 public:
   // `output` is the value of -o: "walk.png" gives walk-0001.png; "walk%03d.png" gives walk001.png,
   // with %% for a per cent sign; a directory (one that exists, or with a slash at the end) gives
-  // pictures in it named after `usual`. If it is empty, `usual` is used instead. Numbers have four
-  // digits, or more if `count` needs more.
+  // pictures in it with the name `usual`. `usual` is also the name if `output` is empty. Numbers
+  // have four digits, or more if `count` needs more.
   static Result<FrameNames> from_output(const std::string& output, const std::string& usual,
                                         int count);
 

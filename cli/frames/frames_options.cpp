@@ -15,7 +15,7 @@ namespace glassbox {
 
 namespace {
 
-// Parses one number for both sides of the window, or two numbers.
+// Parses a parallax budget: one number for both sides of the window, or two numbers.
 std::array<double, 2> parse_budget(const std::string& text) {
   const std::string name = "--parallax-budget";
   const bool both = text.find(',') == std::string::npos;
@@ -85,8 +85,9 @@ void add_frames_options(CLI::App& command, FramesOptions& frames) {
         frames.release_frames = parse_at_least_zero("--release-frames", text);
       });
   add("--max-step", "S",
-      "largest change of the eye separation per frame (world units) [the largest separation over "
-      "--release-frames]",
+      "largest change of the eye separation per frame (world units) [the largest separation "
+      "divided "
+      "by --release-frames]",
       [&frames](const std::string& text) {
         frames.max_step = parse_at_least_zero("--max-step", text);
         if (frames.max_step == 0) {
@@ -105,19 +106,20 @@ Result<void> check_plot(const FramesOptions& frames) {
   if (!frames.plot) return {};
   if (frames.range->is_slice()) {
     return fail("--plot", "the plot needs all frames, but only some are drawn",
-                "leave it out, or draw all frames");
+                "leave --plot out, or draw all frames");
   }
   return check_extension(*frames.plot, ".svg");
 }
 
 Result<void> check_pose(const CameraOptions& camera, const FramesOptions& frames) {
   if (frames.path && frames.turntable) {
-    return fail("--turntable", "the path says where the camera stands", "leave one of them out");
+    return fail("--turntable", "the path says where the camera stands",
+                "leave out --turntable or --path");
   }
   if (frames.turntable) {
     if (!camera.camera || *camera.camera == "none") return {};
     return fail("--camera", "--turntable moves the camera around the scene",
-                "leave it out; --eye gives the start");
+                "leave --camera out; --eye says where the camera starts");
   }
   const bool posed = camera.camera || camera.eye || camera.look_at || camera.up;
   if (!posed) return {};
@@ -125,7 +127,7 @@ Result<void> check_pose(const CameraOptions& camera, const FramesOptions& frames
                      : camera.eye     ? "--eye"
                      : camera.look_at ? "--look-at"
                                       : "--up";
-  return fail(name, "the path says where the camera stands", "leave it out");
+  return fail(name, "the path says where the camera stands", "leave out this option or --path");
 }
 
 }  // namespace
@@ -179,11 +181,11 @@ Result<void> check_path_options(const PictureOptions& picture, const CameraPath&
   if (path.has_fov && (camera.fov_degrees || camera.ortho_height || camera.frustum)) {
     const char* name = camera.fov_degrees ? "--fov" : camera.ortho_height ? "--ortho" : "--frustum";
     return fail(name, "the path's keyframes already give the angle of view",
-                "leave one of them out");
+                "leave this option out, or remove the angles from the path");
   }
   if (path.has_window && picture.eyes.window) {
     return fail("--window", "the path's keyframes already give the window",
-                "leave one of them out");
+                "leave --window out, or remove the windows from the path");
   }
   return {};
 }

@@ -18,12 +18,12 @@ namespace glassbox {
 
 struct FramesOptions {
   std::optional<FrameRange> range;
-  std::optional<std::string> path;  // the file of a path; or turntable
+  std::optional<std::string> path;  // the file of a camera path; absent with --turntable
   bool turntable = false;
   // The largest parallax in front of the window and behind it, in per cent of the width.
   std::array<double, 2> budget_percent{kComfortablePercent, kComfortablePercent};
   double release_frames = 15;
-  std::optional<double> max_step;  // of the separation per frame, world units
+  std::optional<double> max_step;  // largest change of the separation per frame, world units
   // the file of the plot; absent: named after the pictures
   std::optional<std::string> plot;
   std::vector<const CLI::Option*> options;  // the options that add_frames_options has added

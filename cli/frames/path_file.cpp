@@ -21,14 +21,14 @@ namespace {
 
 using JsonEvent = nlohmann::json::parse_event_t;
 
-// levels of brackets: a path, its list of keyframes, a keyframe, an array of numbers
+// The levels of brackets in a file: a path, its list of keyframes, a keyframe, an array of numbers.
 constexpr int kDeepest = 4;
 constexpr double kMaxNumber = std::numeric_limits<float>::max();
 
 // ---- JSON ----
 
-// Reports errors that the parser accepts: brackets nested deeper than a path's, and keys that occur
-// twice.
+// Reports errors that the JSON parser itself accepts: brackets nested deeper than a path's, and
+// keys that occur twice.
 class Watch {
 public:
   bool operator()(int depth, JsonEvent event, const nlohmann::json& value) {
@@ -52,7 +52,7 @@ public:
   };
 
 private:
-  std::vector<std::set<std::string>> keys_;  // of the objects that are not closed yet
+  std::vector<std::set<std::string>> keys_;  // of each object that is not closed yet
   std::string problem_;
 };
 
@@ -182,7 +182,7 @@ private:
     return read_number(object_["fov"], place_of("fov")).and_then([&](double fov) -> Result<void> {
       if (!(fov > 0 && fov < 180)) {
         return fail(place_of("fov"), "the full vertical angle is " + number_text(fov) + " degrees",
-                    "it must lie between 0 and 180");
+                    "give an angle between 0 and 180 degrees");
       }
       keyframe.fov_degrees = fov;
       return {};
@@ -196,7 +196,7 @@ private:
     const char* remedy = "write a distance along the gaze, or \"auto\"";
     if (!value.is_number()) return fail(place, "is neither a number nor \"auto\"", remedy);
     return read_number(value, place).and_then([&](double window) -> Result<void> {
-      // 1/window must be a float as well, so this is the least distance allowed.
+      // 1/window, which is interpolated, must not be above kMaxNumber either.
       if (!(window >= 1 / kMaxNumber)) {
         return fail(place, "is " + number_text(window) + ", which is not in front of the camera",
                     remedy);

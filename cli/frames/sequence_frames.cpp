@@ -34,8 +34,8 @@ Result<void> choose_frame_camera(const Scene& scene, const PictureOptions& own,
   });
 }
 
-// Asks for the pair with separation zero, because this gives the automatic window without further
-// checks.
+// Chooses the two eyes with separation zero, because this gives the automatic window without
+// further checks.
 Result<void> choose_frame_eyes(const Scene& scene, const PictureOptions& picture,
                                PictureOptions own, const CameraPath& path, SequenceFrame& frame) {
   own.eyes.separation = 0;
@@ -128,12 +128,14 @@ WorldVector turned(const WorldVector& v, const WorldVector& axis, const SinCos& 
   return {sum(v.x, across.x, axis.x), sum(v.y, across.y, axis.y), sum(v.z, across.z, axis.z)};
 }
 
-// The distance of the eye that keeps a point in the picture all the way round. Let the point be at
-// height h above the target and at distance rho from the axis, and e the eye's elevation. At the
-// angle phi of the turn, its coordinates along the eye's axes, from the target, are
+// The distance of the eye from the target that keeps a point in the picture during the whole turn.
+// Let the point be at height h above the target and at distance rho from the axis, and e the eye's
+// elevation. When the eye has turned to the angle phi from the point, the point's coordinates along
+// the eye's axes (right, up, towards the eye), with the target as origin, are
 //   x = rho sin phi,  y = h cos e - rho cos phi sin e,  z = h sin e + rho cos phi cos e.
-// It is in the picture if the distance is at least z + |x|/across and at least z + |y|/up. The
-// function returns the maximum of these over phi.
+// `across` and `up` are the tangents of half the angles of view, less a margin. The point is in the
+// picture if the distance is at least z + |x|/across and at least z + |y|/up. The function returns
+// the maximum of these over phi.
 double distance_needed(double h, double rho, const SinCos& e, double across, double up) {
   const double sides = h * e.sin + rho * std::sqrt(e.cos * e.cos + 1 / (across * across));
   const double top = h * (e.sin + e.cos / up) + rho * std::abs(e.cos - e.sin / up);
@@ -156,7 +158,8 @@ double framing_distance(const Scene& scene, const WorldPoint& target, const Worl
   return distance;
 }
 
-// Only the up vector and the angle are kept, so that the camera is placed automatically.
+// The options for placing a camera automatically: of the given options only the up vector and the
+// angle of view are kept.
 CameraOptions automatic_options(const CameraOptions& options) {
   CameraOptions automatic;
   automatic.camera = "none";
@@ -193,7 +196,7 @@ Result<Turntable> make_turntable(const Scene& scene, const CameraOptions& option
   const WorldVector axis = unit({turntable.up[0], turntable.up[1], turntable.up[2]});
   const double fov = options.fov_degrees.value_or(FramingOptions{}.fovy_degrees);
   double distance = framing_distance(scene, target, axis, to_eye, fov, aspect);
-  // If all points are at the target, the automatic camera's distance is used.
+  // If all points are at the target, the computed distance is 0, so the automatic camera's is used.
   const WorldVector stands{m.at(0, 3) - target.x, m.at(1, 3) - target.y, m.at(2, 3) - target.z};
   if (!(distance > 0)) distance = std::sqrt(dot(stands, stands));
   turntable.from_target = {to_eye.x * distance, to_eye.y * distance, to_eye.z * distance};

@@ -17,11 +17,12 @@
 
 namespace glassbox {
 
-// A camera that goes once around a scene: the last picture is followed by the first.
-// About the axis through `target` along `up`, counterclockwise as seen from its tip.
+// A camera that goes once around a scene: the last picture is followed by the first. It turns about
+// the axis through `target` in the direction `up`, counterclockwise if one looks against this
+// direction.
 struct Turntable {
   Point<World, double> target;
-  Vector<World, double> from_target;  // to the eye in the first frame
+  Vector<World, double> from_target;  // vector from the target to the eye in the first frame
   std::array<double, 3> up{0, 1, 0};
 
   // The camera of frame `number` (from 1) of `count`. It is turned by 360 (number - 1)/count
@@ -40,12 +41,11 @@ struct SequenceFrame {
   CameraPose pose;
   Camera camera;
   View centre;
-  double window = 0;  // the window that the path or the options want; 0 if there are no two eyes
+  double window = 0;  // the window's distance that the path or the options give; 0 for one eye
 };
 
-// The frames of the range: along the path, or round the turntable if there is one
-// (the path then has no keyframes). An error
-// names the frame whose camera is invalid.
+// Returns the frames of the range: along the path, or round the turntable if there is one (the path
+// then has no keyframes). An error names the frame whose camera is invalid.
 Result<std::vector<SequenceFrame>> make_sequence_frames(const Scene& scene,
                                                         const PictureOptions& picture,
                                                         const CameraPath& path,

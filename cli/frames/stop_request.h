@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-// While such an object exists, the first SIGINT or SIGTERM is only noted; a second one ends the
+// While such an object exists, the first SIGINT or SIGTERM only sets a flag; a second one ends the
 // program as usual.
 class StopRequest {
 public:

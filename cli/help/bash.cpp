@@ -71,8 +71,8 @@ std::vector<std::string> option_names(const CommandFacts& command) {
   return names;
 }
 
-// The kinds of values of all positional arguments together: the words of any of them are offered at
-// every position.
+// The kinds of values of all positional arguments together: the words that any of them accepts are
+// offered at every position.
 ValueKinds positional_kinds(const CommandFacts& command, const CommandFacts& program) {
   ValueKinds all;
   for (const OptionFacts& option : command.options) {

@@ -12,12 +12,12 @@
 
 namespace glassbox {
 
-// Each returns a script for the shell to read.
+// Each of these functions returns the script for one shell.
 std::string bash_completion(const CommandFacts& program);
 std::string zsh_completion(const CommandFacts& program);
 std::string fish_completion(const CommandFacts& program);
 
-// ---- what the three share ----
+// ---- used for all three shells ----
 
 // Calls `visit` for every command with the words that lead to it: "" for the program itself, "study
 // run" for a nested command.

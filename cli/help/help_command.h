@@ -5,8 +5,8 @@
 
 namespace glassbox {
 
-// Adds help, completion and man, which print what the commands added before them have. Call it
-// last.
+// Adds the commands help, completion and man. They print what the commands that were added before
+// them have, so call it last.
 void add_help_commands(CLI::App& app, int& exit_code);
 void add_completion_command(CLI::App& app, int& exit_code);
 void add_man_command(CLI::App& app, int& exit_code);

@@ -142,8 +142,8 @@ bool is_heading(const std::string& line) {
   return line.starts_with(".SS") || line.starts_with(".SH");
 }
 
-// Drops .PP (start of a paragraph) after a heading, before another .PP, and where it is repeated:
-// groff and mandoc warn of those.
+// Drops .PP (start of a paragraph) after a heading, before another .PP, and where it is repeated,
+// because groff and mandoc warn of empty paragraphs.
 std::string without_empty_paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string out, line;

@@ -5,8 +5,8 @@
 
 namespace glassbox {
 
-// Adds a command that lives as long as the program, because CLI11 writes its options into it and
-// calls it back.
+// Adds a command to `app`. The object lives as long as the program, because CLI11 writes the
+// options' values into it and calls it back.
 template <class Command>
 void add_command(CLI::App& app, int& exit_code) {
   static Command command;

@@ -85,7 +85,7 @@ Size parse_size(const std::string& text, const std::string& option) {
   return {(*sides)[0], (*sides)[1]};
 }
 
-PixelAt parse_pixel(const std::string& option, const std::string& text) {
+PixelPosition parse_pixel(const std::string& option, const std::string& text) {
   const auto place = read_whole_numbers<2>(text, ',');
   if (!place) {
     throw CLI::ValidationError(
@@ -102,7 +102,7 @@ Result<void> check_triangle(const std::string& what, const Scene& scene, std::ui
               "they are numbered from 0");
 }
 
-Result<void> check_pixel(const std::string& option, PixelAt pixel, const Size& size) {
+Result<void> check_pixel(const std::string& option, PixelPosition pixel, const Size& size) {
   if (pixel.x < size.width && pixel.y < size.height) return {};
   return fail(
       fmt::format("{} {},{}", option, pixel.x, pixel.y),

@@ -36,10 +36,10 @@ std::array<double, N> parse_numbers(const std::string& option, const std::string
 Size parse_size(const std::string& text, const std::string& option = "--size");
 
 // Parses a pixel, its column and row from the top left: "12,34".
-PixelAt parse_pixel(const std::string& option, const std::string& text);
+PixelPosition parse_pixel(const std::string& option, const std::string& text);
 
 // An error if a picture of this size does not have the pixel.
-Result<void> check_pixel(const std::string& option, PixelAt pixel, const Size& size);
+Result<void> check_pixel(const std::string& option, PixelPosition pixel, const Size& size);
 
 // Parses a rectangle: "600,300,680,380" means the pixels with x0 <= x < x1 and y0 <= y < y1, at
 // least one.

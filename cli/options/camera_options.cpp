@@ -82,7 +82,7 @@ Result<Camera> named_camera(const Scene& scene, const std::string& name) {
   return fail("--camera " + name, "no camera has this name or index", "the scene has " + known);
 }
 
-// Options for the automatic camera, with the `up` and the angle of view from the command line.
+// Options for the automatic camera, with the up vector and the angle of view from the command line.
 FramingOptions asked_framing(const CameraOptions& options) {
   FramingOptions framing;
   framing.fovy_degrees = kDefaultFovDegrees;
@@ -93,8 +93,8 @@ FramingOptions asked_framing(const CameraOptions& options) {
   return framing;
 }
 
-// The pose from --eye, --look-at and --up. A missing eye is the automatic camera's, a missing
-// target the scene's centre.
+// The pose from --eye, --look-at and --up. A missing eye is replaced by the automatic camera's, a
+// missing target by the scene's centre.
 Result<Camera> posed_camera(const CameraOptions& options, const Camera& automatic,
                             const Box<World>& bounds) {
   const auto& m = automatic.world_from_eye;
@@ -131,7 +131,7 @@ Result<Lens> asked_lens(const CameraOptions& options, const Lens& own) {
     const double degrees = *options.fov_degrees;
     if (!(degrees > 0 && degrees < 180)) {
       return fail("--fov", fmt::format("the full vertical angle is {} degrees", degrees),
-                  "it must lie between 0 and 180");
+                  "give an angle between 0 and 180 degrees");
     }
     return PerspectiveLens{radians_from_degrees(degrees), 0, {}};
   }
@@ -177,8 +177,8 @@ Result<Planes> enclosing_planes(const Camera& camera, const Box<World>& bounds) 
   return Planes{planes->near, planes->far};
 }
 
-// If only one plane is given, the automatic one must not be on the wrong side of it, so it is
-// moved. An invalid plane is kept, for make_view to refuse.
+// If only one of the two planes is given, the automatic one is moved where it would be on the wrong
+// side of the given one. An invalid plane is kept, for make_view to refuse.
 Planes asked_planes(const CameraOptions& options, Planes found, bool parallel) {
   constexpr double kMaxRatio = 1000;
   const double extent = found.far.value_or(0) - found.near;
@@ -223,7 +223,8 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
              "parallel view of this full height (world units)")
       ->group(group);
   add_numbers(app, "--frustum", options.frustum, "L,R,B,T",
-              "window edges on the near plane (see --near), as for glFrustum")
+              "left, right, bottom and top edge of the window on the near plane (see --near), as "
+              "for glFrustum")
       ->group(group);
   add_distance(app, "--near", options.near, "N", "distance of the near plane")->group(group);
   add_distance(app, "--far", options.far, "F|inf", "distance of the far plane")->group(group);
@@ -237,7 +238,7 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
               {"frustum", ProjectionForm::kFrustum},
               {"t_pers", ProjectionForm::kTPers},
               {"alpha_beta", ProjectionForm::kAlphaBeta}},
-             "formula of the projection; they differ only by rounding [perspective]")
+             "formula of the projection; results differ by rounding [perspective]")
       ->group(group);
 }
 

@@ -30,10 +30,11 @@ void add_camera_options(CLI::App& app, CameraOptions& options);
 
 // Chooses the camera.
 //
-// Pose: --camera, else --eye/--look-at/--up, else the scene's first camera, else automatic framing;
-// with --up alone, automatic framing with that up vector. Lens: that camera's own, or the one given
-// by --fov, --ortho or --frustum. Near and far planes: as given, else the camera's, else such that
-// they enclose the scene.
+// Its pose is the first of these that is given: the scene's camera named by --camera; --eye,
+// --look-at and --up; the scene's first camera; automatic framing. With --up alone, the scene is
+// framed automatically with that up vector. The lens is the scene's camera's own, or the one given
+// by --fov, --ortho or --frustum. The near and far planes are those given, else the scene's
+// camera's, else such that they enclose the scene.
 Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect);
 
 }  // namespace glassbox

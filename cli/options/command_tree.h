@@ -31,7 +31,7 @@ struct CommandFacts {
   std::vector<CommandFacts> commands;
 };
 
-// The tree of commands and options, without those that the help text hides.
+// The tree of commands and options, without the commands and options that the help text hides.
 CommandFacts command_tree(const CLI::App& app);
 
 // ---- what a value can be ----

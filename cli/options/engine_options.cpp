@@ -46,7 +46,7 @@ int parse_threads(const std::string& text) {
 // pictures, uses threads too.
 void set_threads(const std::string& text, EngineOptions& options) {
   using Control = oneapi::tbb::global_control;
-  // Never destroyed: a limit that is lifted at exit wakes a thread.
+  // The object is never destroyed: to lift the limit when the program ends would wake a thread.
   static auto& most = *new std::optional<Control>;
   options.tile.threads = parse_threads(text);
   most.emplace(Control::max_allowed_parallelism, std::size_t(options.tile.threads));

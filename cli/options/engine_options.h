@@ -1,5 +1,5 @@
-// Which engine draws a picture, and how. It does not change a byte of the picture, so it is not in
-// a picture's recipe.
+// Which engine draws a picture, and how. This choice does not change a byte of the picture, so it
+// is not in a picture's recipe.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ void add_engine_options(CLI::App& command, EngineOptions& options);
 // Adds --target only.
 CLI::Option* add_target_option(CLI::App& command, Target& target);
 
-// Refuses options of one engine if the other is chosen.
+// Refuses options that only the tile engine has, if the staged engine is chosen.
 Result<void> check_engine_options(const EngineOptions& options);
 
 Renderer make_renderer(const Scene& scene, const RenderSettings& settings,

@@ -93,7 +93,7 @@ Result<ChosenPair> choose_pair(const Scene& scene, const View& centre,
     return fail("--window", "no eye separation can be derived from an infinite distance",
                 "give --eye-separation");
   }
-  // The window is checked with a provisional separation, because with separation zero an invalid
+  // The separation is set to a provisional value first, because with separation zero an invalid
   // window would not be noticed.
   chosen.pair.half_separation = chosen.pair.window / kWindowsPerSeparation / 2;
   if (const Result<void> ok = check_pair(centre, chosen.pair); !ok) {

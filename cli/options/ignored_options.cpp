@@ -23,7 +23,8 @@ void print_note(const std::string& words, const std::string& why) {
   if (!words.empty()) fmt::print(stderr, "glassbox: note: {} is ignored: {}\n", words, why);
 }
 
-// Whether the picture is made from another plane of the framebuffer after everything is drawn.
+// Whether the picture shows another quantity than colour, and is made from the framebuffer after
+// everything is drawn.
 bool is_of_a_plane(Show show) {
   return show == Show::kDepth || show == Show::kId || show == Show::kOverdraw;
 }

@@ -9,8 +9,8 @@
 
 namespace glassbox {
 
-// Prints a note on standard error for each such option. They are no errors, because the same
-// options may be useful for another picture.
+// Prints a note on standard error for each option that has no effect. It is no error, because the
+// same options may be useful for another picture.
 void print_ignored_options(const PictureOptions& picture);
 
 // Options of a command that have no effect, for the reason `why`.
@@ -19,7 +19,7 @@ struct IgnoredOptions {
   std::vector<std::string> names;
   std::string why;
 };
-// Prints the same note for those of the options that were given.
+// Prints the note for those options in `all` that the user has given.
 void print_ignored_options(const CLI::App& command, const std::vector<IgnoredOptions>& all);
 
 }  // namespace glassbox

@@ -11,9 +11,9 @@ namespace glassbox {
 
 // Adds --json FILE|-, which writes `what` as JSON.
 CLI::Option* add_json_output(CLI::App& command, std::optional<std::string>& target,
-                             const std::string& what = "the same");
+                             const std::string& what = "the printed output");
 
-// Adds --html FILE, which writes a page. `help` says about what.
+// Adds --html FILE, which writes a page. `help` is the option's text in --help.
 CLI::Option* add_html_output(CLI::App& command, std::optional<std::string>& target,
                              const std::string& help);
 

@@ -71,7 +71,7 @@ Result<ChosenView> choose_centre(const Scene& scene, const PictureOptions& pictu
   const Result<View> view = make_view(*camera, width, height, range, picture.camera.formulation);
   if (!view) {
     Error error = view.error();
-    // the option that the user gave
+    // name the option that the user gave
     if (error.place == "projection form") error.place = "--projection";
     return tl::unexpected(error);
   }

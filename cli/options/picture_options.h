@@ -43,7 +43,7 @@ Result<Scene> load_scene_argument(const std::string& word, const PictureOptions&
 // per pixel.
 void print_pixel_centres_note(const PictureOptions& picture);
 
-// Those of the options that the user gave, as words: "--size", "640x480".
+// The options that the user gave, among `options`, as words: "--size", "640x480".
 std::vector<std::string> option_words(std::span<const CLI::Option* const> options);
 
 // The words that draw this picture again.

@@ -39,7 +39,7 @@ public:
   // Loads the scene, chooses the view, calls `ask`, and prints the answer as text, writes it as
   // JSON (after the scene's name and the picture's size), or both. Returns the exit code.
   int answer(const AnswerFunction& ask) const;
-  // The same for an `ask` that chooses the view, or the eyes, by itself.
+  // Does what answer() does, for an `ask` that chooses the view, or the eyes, by itself.
   int answer_of_scene(const SceneAnswerFunction& ask) const;
 
 private:

@@ -36,8 +36,8 @@ Result<std::vector<std::byte>> read_standard_input(std::uint64_t max_bytes) {
                   "check the program or file that it comes from");
     }
   }
-  return fail("", "has more than the limit of " + std::to_string(max_bytes) + " bytes",
-              "raise the limit if the file can be trusted");
+  return fail("", "has more than " + std::to_string(max_bytes) + " bytes, the most that is read",
+              "use a smaller file (in the library: LoadLimits::max_file_bytes)");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ inline constexpr const char* kSceneHelp =
 // an error if it is a terminal.
 Result<Scene> load_scene_argument(const std::string& word, const LoadLimits& limits = {});
 
-// The same, with the bytes that came from standard input; no bytes for files and built-in scenes.
+// A scene, with the bytes that came from standard input; no bytes for files and built-in scenes.
 struct SceneAndBytes {
   Scene scene;
   std::vector<std::byte> bytes;
@@ -35,8 +35,8 @@ Result<Scene> load_scene_argument(const std::string& word, Progress& progress,
 // The scene's name in a report: "standard input" for "-", else the word itself.
 std::string scene_title(const std::string& word);
 
-// The name that outputs get: "duck" for "models/duck.glb", "teapot" for "teapot:32", "stdin" for
-// "-".
+// The name from which the default names of output files are made: "duck" for "models/duck.glb",
+// "teapot" for "teapot:32", "stdin" for "-".
 std::string scene_stem(const std::string& word);
 
 }  // namespace glassbox

@@ -34,7 +34,8 @@ ReachedCommand reached_command(const CLI::App& program) {
   ReachedCommand reached{&program, program.get_name()};
   while (true) {
     const std::vector<CLI::App*> chosen = reached.app->get_subcommands();
-    // After a word that a command does not know, the next words are not its subcommand's.
+    // If a command finds a word that it does not know, the words after it do not belong to its
+    // subcommand.
     if (chosen.empty() || !reached.app->remaining().empty()) return reached;
     reached = {chosen.front(), reached.name + " " + chosen.front()->get_name()};
   }
@@ -118,7 +119,7 @@ std::string problem_with(const CommandFacts& command, const ReachedCommand& reac
   return "the argument " + in_quotes(word) + " is not expected";
 }
 
-// CLI11's error in plain words, if its own are hard to understand.
+// CLI11's error, in plain words where CLI11's own words are hard to understand.
 std::string in_plain_words(const CommandFacts& command, const CLI::ParseError& error) {
   const std::string what = printable(error.what(), 2000);  // contains the word that is wrong
   if (what == "A subcommand is required") {

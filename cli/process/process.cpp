@@ -13,7 +13,8 @@ namespace glassbox {
 
 namespace {
 
-// Runs in the child after fork: only calls that are safe there in a program with threads.
+// Runs in the child process after fork: calls only functions that are safe there in a program with
+// threads.
 [[noreturn]] void run_in_child(char* const* argv, const Pipe& printed, const Pipe& answers,
                                const Pipe& failure) {
   setpgid(0, 0);

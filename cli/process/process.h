@@ -17,8 +17,8 @@ struct ProcessLimits {
 struct ProcessOutcome {
   bool started = false;
   bool timed_out = false;
-  bool too_much = false;  // the process wrote more answers than it may
-  int status = 0;         // as waitpid gives it
+  bool too_much = false;  // the process wrote more answers than allowed
+  int status = 0;         // the exit status that waitpid gives
   std::string why_not_started;
   std::string answers;  // from descriptor kAnswersFd
   std::string printed;  // standard output and standard error

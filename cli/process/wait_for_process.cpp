@@ -18,8 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Reads one block of the available output. Returns its length, 0 at the stream's end, negative
-// where nothing has come.
+// Reads one block of the available output. Returns its length, 0 at the stream's end, and a
+// negative number if no output is available yet.
 ssize_t read_block(Stream& stream) {
   char block[65536];
   ssize_t got = -1;
@@ -33,7 +33,7 @@ ssize_t read_block(Stream& stream) {
   return got;
 }
 
-// True if the process has ended by itself.
+// Returns true if the process has ended by itself; false if its time was up or it wrote too much.
 bool reaches_end(pid_t process, std::span<Stream> streams, Clock::time_point deadline) {
   const Descriptor ended(static_cast<int>(::syscall(SYS_pidfd_open, process, 0)));
   std::vector<pollfd> waited{{ended.get(), POLLIN, 0}};
@@ -41,7 +41,7 @@ bool reaches_end(pid_t process, std::span<Stream> streams, Clock::time_point dea
   while (true) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     if (left <= 0) return false;
-    // Without a descriptor for the process (before Linux 5.3) it is checked every 10 ms.
+    // Linux before 5.3 has no descriptor for a process; there it is checked every 10 ms.
     ::poll(waited.data(), waited.size(),
            static_cast<int>(std::min<decltype(left)>(left, ended.get() >= 0 ? 1000 : 10)));
     for (std::size_t i = 0; i < streams.size(); ++i) {
@@ -82,12 +82,13 @@ WaitResult wait_for_process(pid_t process, std::span<Stream> streams, double sec
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   WaitResult result;
   result.ended = reaches_end(process, streams, start + time);
-  // Killed before waitpid, while no other process can have this number.
+  // The process group is killed before waitpid: until then, no other process can get this number.
   ::kill(-process, SIGKILL);
   if (!result.ended) ::kill(process, SIGKILL);
   while (::waitpid(process, &result.status, 0) < 0 && errno == EINTR) {
   }
-  // A pipe holds at most 1 MiB. A process that left the group and still writes is not waited for.
+  // Reads the rest of the output. A pipe holds at most 1 MiB, which is 16 blocks. A process that
+  // left the group and still writes is not waited for.
   for (Stream& stream : streams) {
     for (int block = 0; block < 16 && read_block(stream) > 0; ++block) {
     }

@@ -17,8 +17,8 @@ public:
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int get() const { return number_; }
-  // Takes over a descriptor, moved to a number above those that a child uses, so that it is not
-  // overwritten before the child gets it.
+  // Takes over a descriptor and moves it to a number above those that a child process uses, so that
+  // it is not overwritten before the child gets it.
   void set(int number);
   void close();
 
@@ -26,7 +26,8 @@ private:
   int number_;
 };
 
-// Both ends are closed when a child process starts another program. Reading does not block.
+// Both ends of the pipe are closed when a child process starts another program. Reading does not
+// block.
 struct Pipe {
   Descriptor read, write;
   Pipe();
@@ -46,12 +47,12 @@ struct Stream {
 
 struct WaitResult {
   bool ended = false;  // by itself, within its time
-  int status = 0;      // as waitpid gives it
+  int status = 0;      // the exit status that waitpid gives
   double seconds = 0;
 };
 
-// Follows the process until it ends, its time is up or it writes more than is allowed. Then it is
-// killed together with the process group that it leads, so that nothing it started goes on running.
+// Follows the process until it ends, its time is up or it writes more than is allowed. Then kills
+// it together with the process group that it leads, so that nothing it started goes on running.
 WaitResult wait_for_process(pid_t process, std::span<Stream> streams, double seconds);
 
 }  // namespace glassbox

@@ -20,8 +20,8 @@ namespace glassbox {
 
 namespace {
 
-// Opens the number of a closed stream so that it still fails as before: reading from standard
-// input, writing to an output.
+// Opens the number of a closed standard stream again, such that using the stream still fails:
+// reading from standard input, or writing to an output.
 void keep_open(int stream) {
   if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) return;
   static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
@@ -40,7 +40,7 @@ bool is_about_threads(const std::exception& error) {
 
 std::atomic<bool> a_worker_waits = false;
 
-// For a thread that cannot continue while the others can: it waits until the process ends.
+// For a thread that cannot continue while other threads can: waits until the process ends.
 [[noreturn]] void wait_for_the_end() {
   a_worker_waits = true;
   for (;;) ::pause();
@@ -80,7 +80,7 @@ int end_run(int exit_code) {
   errno = 0;
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     return refuse_output(errno != 0 ? errno : EIO);
-  // Other workers may still be starting threads, which would crash in oneTBB's destructors.
+  // Other worker threads may still be starting threads, which would crash in oneTBB's destructors.
   if (a_worker_waits) std::_Exit(exit_code);
   return exit_code;
 }

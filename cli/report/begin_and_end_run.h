@@ -1,11 +1,11 @@
-// The begin and the end of every run of the program.
+// What every run of the program does first and last.
 #pragma once
 
 #include <exception>
 
 namespace glassbox {
 
-// Call it before anything is opened. A closed standard stream stays closed, but no file that is
+// Call it before any file is opened. A closed standard stream stays closed, but no file that is
 // opened later gets its number. A file that grows beyond its limit becomes an error instead of a
 // signal. An exception that a thread does not catch is reported, with exit code 1.
 void begin_run();

@@ -12,7 +12,7 @@
 
 namespace glassbox {
 
-// The number, or null if it is infinite or NaN: JSON cannot represent those.
+// The number, or null if it is infinite or NaN, which JSON cannot represent.
 inline nlohmann::ordered_json finite_json(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }

@@ -16,10 +16,10 @@ namespace glassbox {
 // Writes JSON. `target` is a path, or "-" for standard output.
 Result<void> write_json(const std::string& target, const nlohmann::ordered_json& json);
 
-// Writes the text unchanged to such a target.
+// Writes the text unchanged. `target` is a path, or "-" for standard output.
 Result<void> write_text(const std::string& target, const std::string& text);
 
-// Writes what could be made, and otherwise says why it could not.
+// Writes the text; returns the error if there is an error instead of a text.
 Result<void> write_text_result(const std::string& path, const Result<std::string>& text);
 
 // An error if `path` does not end in `extension` (".pfm"), in upper or lower case.
@@ -29,8 +29,8 @@ Result<void> check_extension(const std::string& path, const std::string& extensi
 // does not exist, or if two of them are the same file.
 Result<void> check_outputs(const std::vector<std::string>& paths);
 
-// An error if two outputs are the same file, or if one of them is one of `inputs`. The files may be
-// in a directory that is made later.
+// An error if two outputs are the same file, or if an output is one of the `inputs`. The files may
+// be in a directory that does not exist yet.
 Result<void> check_distinct(const std::vector<std::string>& outputs,
                             const std::vector<std::string>& inputs = {});
 
@@ -39,19 +39,20 @@ Result<void> check_distinct(const std::vector<std::string>& outputs,
 Result<void> check_report_outputs(const std::optional<std::string>& page,
                                   const std::optional<std::string>& data);
 
-// The files that a command will write: they are declared one after the other, and checked before a
-// long run. A file without a path is not written.
+// The files that a command will write: each is added by a call, and all are checked before a long
+// run. A file without a path is not written.
 class Outputs {
 public:
-  // A file with this extension (".pfm"); empty: any.
+  // Adds a file with this extension (".pfm"); empty: any extension.
   Outputs& file(const std::optional<std::string>& path, const std::string& extension = {});
-  // Both of a pair, or none.
+  // Adds two files, or none if the first path is empty.
   Outputs& files(const std::pair<std::string, std::string>& paths, const std::string& extension);
-  // A picture, of a kind that write_image writes.
+  // Adds a picture, in a format that write_image can write.
   Outputs& picture(const std::optional<std::string>& path);
-  // Data, which may go to standard output ("-").
+  // Adds a file of data. "-" is standard output, which needs no check.
   Outputs& data(const std::optional<std::string>& path);
-  // What is wrong with the first name that is wrong; otherwise as check_outputs.
+  // Returns the error about the first path with a wrong extension; if there is none, what
+  // check_outputs returns.
   Result<void> check() const;
 
 private:

@@ -14,9 +14,9 @@ namespace glassbox {
 
 enum class StreamFormat { kPng, kPpm };
 
-// The check before a long run. Errors: a directory, an extension that no picture format has, a
-// terminal, and a format option when the extension gives the format already. `usual` is the name
-// that a file in a directory would get.
+// Checks the output before a long run. Errors are: a directory, an extension that no picture format
+// has, a terminal, and a format option when the extension gives the format already. `usual` is the
+// name that a file in a directory would get.
 Result<void> check_picture_output(const std::string& output,
                                   const std::optional<StreamFormat>& format,
                                   const std::string& usual);

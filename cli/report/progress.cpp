@@ -15,7 +15,7 @@ namespace glassbox {
 namespace {
 
 constexpr const char* kWipe = "\r\033[K";
-// shorter than a line: a wrapped line would not be erased completely
+// Longer texts are cut: a text that is wrapped to a second line would not be erased completely.
 constexpr std::size_t kLongestPhase = 60;
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Shows progress on standard error while work takes longer than a second. Shows nothing if that is
-// not a terminal.
+// Shows progress on standard error while work takes longer than a second; nothing if standard error
+// is not a terminal.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@ public:
 
   // Sets the text that says what is being done.
   void phase(const std::string& what);
-  // Prints a line of its own on standard error, terminal or not.
+  // Prints a line of its own on standard error, even if it is not a terminal.
   void print_line(const std::string& message);
   // Stops and erases the line. Nothing is shown afterwards.
   void done();

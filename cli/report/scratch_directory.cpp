@@ -18,8 +18,9 @@ namespace fs = std::filesystem;
 const std::string kPrefix = "glassbox-scratch-";
 constexpr const char* kLock = "in-use";
 
-// Takes the lock file at `path`, which is held until the descriptor is closed. Returns -1 if
-// another process holds it, or if there is none. With O_CREAT in `flags` it is created.
+// Opens the lock file at `path` and takes its lock, which is held until the descriptor is closed.
+// Returns -1 if another process holds the lock, or if there is no file. With O_CREAT in `flags` the
+// file is created.
 int take_lock(const fs::path& path, int flags) {
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
   if (file < 0 || ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
@@ -27,8 +28,8 @@ int take_lock(const fs::path& path, int flags) {
   return -1;
 }
 
-// Whether the directory is this user's and no process uses it any more. One without a lock file is
-// just being made, unless it is an hour old.
+// Whether the directory is this user's and no process uses it any more. A directory without a lock
+// file is just being made, unless it is an hour old.
 bool is_abandoned(const fs::path& directory) {
   struct stat status = {};
   if (::lstat(directory.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||

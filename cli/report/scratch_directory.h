@@ -8,9 +8,10 @@
 
 namespace glassbox {
 
-// A directory below the system's temporary directory. It is removed with the object; if the program
-// was killed, the next program that makes one removes it. Each user of such a directory holds a
-// lock in it, so that unused ones are recognised. Other users may pass through it, but not list it.
+// A directory below the system's temporary directory, removed with the object. If the program was
+// killed, the next program that makes such a directory removes it. Each program holds a lock in its
+// directory, so that unused directories are recognised. Other users may pass through the directory,
+// but not list it.
 class ScratchDirectory {
 public:
   ScratchDirectory();
@@ -20,7 +21,7 @@ public:
 
   // The directory's path. An error if it could not be made.
   Result<std::filesystem::path> path() const;
-  // Makes a new directory in it that other users cannot enter.
+  // Makes a new directory inside this one that other users cannot enter.
   Result<std::filesystem::path> make_private_directory(const std::string& name) const;
 
 private:

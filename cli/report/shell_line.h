@@ -9,14 +9,15 @@
 
 namespace glassbox {
 
-// The program's name in suggested commands. The launcher script of a clone passes its own name on.
+// The program's name in suggested commands. The launcher script ./glassbox passes its own name to
+// the program in the environment.
 inline std::string program_name() {
   const char* invoked_as = std::getenv("GLASSBOX_INVOKED_AS");
   return invoked_as != nullptr ? invoked_as : "glassbox";
 }
 
 // The program's name and the words of all parts, quoted for a POSIX shell. Empty if shell_quoted
-// cannot quote one of them.
+// cannot quote a word.
 inline std::string shell_line(const std::vector<std::vector<std::string>>& parts) {
   auto line = shell_quoted(program_name());
   for (const std::vector<std::string>& words : parts) {

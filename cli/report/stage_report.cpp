@@ -46,8 +46,9 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
                             with_separators(s.clusters_turned_away)));
   }
   const std::uint64_t vertices = s.vertices + s.moved_in_x;
-  text += row("object -> clip space", vertices, vertices,
-              s.moved_in_x > 0 ? "vertices, all but x from the left eye" : "vertices");
+  text +=
+      row("object -> clip space", vertices, vertices,
+          s.moved_in_x > 0 ? "vertices; only x is computed anew for the second eye" : "vertices");
   if (s.culled_early > 0) {
     text += row("cull in object space", drawable, drawable - s.culled_early,
                 with_separators(s.culled_early) + " turned away for certain");
@@ -63,9 +64,9 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   if (s.lines + s.points > 0) {
     text += row("lines and points", s.lines + s.points, s.lines + s.points, "");
   }
-  text += row(
-      "coverage", s.set_up, s.covered,
-      tile ? "triangles in, fragments out, without hidden blocks" : "triangles in, fragments out");
+  text += row("coverage", s.set_up, s.covered,
+              tile ? "triangles in, fragments out; hidden blocks are not counted"
+                   : "triangles in, fragments out");
   text += row("depth test", s.covered, s.covered - s.depth_failed,
               with_separators(s.depth_failed) + " behind");
   text += row(tile ? "alpha mask" : "texture, light, alpha mask", s.covered - s.depth_failed,

@@ -12,12 +12,12 @@ namespace glassbox {
 using Row = std::vector<std::string>;
 std::string table(const std::vector<Row>& rows, std::size_t left);
 
-// The unit in which times are printed.
+// A unit in which times are printed.
 struct TimeUnit {
   double ns = 1;
   const char* name = "ns";
 };
-// The unit in which the shortest time has digits before the decimal point.
+// The largest unit in which the shortest time has digits before the decimal point.
 TimeUnit time_unit(double shortest_ns);
 
 }  // namespace glassbox

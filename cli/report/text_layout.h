@@ -13,8 +13,8 @@ namespace glassbox {
 
 inline constexpr std::size_t kTextWidth = 100;
 
-// `text` broken into lines at blanks. The first line begins with `first`, the others with as many
-// blanks. Ends with a line break.
+// Breaks `text` into lines at blanks. The first line begins with `first`, and each further line
+// with blanks of the same width. The result ends with a line break.
 inline std::string wrapped(std::string_view first, std::string_view text) {
   std::string out(first);
   std::size_t column = first.size();

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The errors of one row; its squares are in steps of the format, or unscaled for floats.
+// The errors of one row of pixels. `squares` is the sum of the squared differences, in steps of the
+// format, or of the floats themselves.
 struct RowErrors {
   double largest = 0;
   double squares = 0;
@@ -31,7 +32,7 @@ double distance(float reference, float test, bool nan_equals_nan) {
   if (std::isnan(reference) || std::isnan(test)) {
     return nan_equals_nan && std::isnan(reference) && std::isnan(test) ? 0 : kInfinity;
   }
-  if (reference == test) return 0;  // also equal infinities, whose difference is NaN
+  if (reference == test) return 0;  // also for equal infinities, whose difference would be NaN
   return std::abs(double(reference) - double(test));
 }
 

@@ -7,10 +7,10 @@
 
 namespace glassbox {
 
-// Computed over all samples, alpha included, of the compared pixels. A step of a byte is 1/255, of
-// a 16-bit sample 1/65535, so that both are in [0, 1]; floats are not scaled. Both numbers are
-// infinite where exactly one sample is NaN or infinities differ, and also where both are NaN,
-// unless the pair's nan_equals_nan is set.
+// Computed over all samples, alpha included, of the compared pixels. A step is 1/255 for bytes and
+// 1/65535 for 16-bit samples, so that both errors are in [0, 1]; floats are not scaled. Both errors
+// are infinite where exactly one of two samples is NaN or infinities differ, and also where both
+// samples are NaN, unless the pair's nan_equals_nan is set.
 struct SampleErrors {
   std::uint64_t samples = 0;
   double absmax = 0;

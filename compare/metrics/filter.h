@@ -1,5 +1,5 @@
-// One-dimensional filters. One of them along x and one along y make the two-dimensional filters of
-// the metrics.
+// One-dimensional filters. One filter along x followed by one along y makes a two-dimensional
+// filter of a metric.
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ public:
   void add(const Histogram& other) {
     for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
   }
-  // The smallest error that is not exceeded by at least `rank` of the errors.
+  // The smallest error that at least `rank` of the errors do not exceed.
   double at_rank(std::uint64_t rank) const {
     std::size_t bin = 0;
     for (std::uint64_t seen = counts_[0]; seen < rank; seen += counts_[bin]) ++bin;

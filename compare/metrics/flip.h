@@ -24,19 +24,17 @@ struct FlipErrors {
   double max = 0;
 };
 
-// Colours are sRGB, grey means r = g = b; 16-bit samples are used with full precision. Where a
-// pixel of either picture is not opaque, both pictures are placed over black and over white, and
-// the larger error counts. The viewing distance is 67 pixels per degree. The pair must not have
-// floats.
+// Computes the errors. Colours are sRGB, grey means r = g = b; 16-bit samples are used with full
+// precision. Where a pixel of either picture is not opaque, both pictures are placed over black and
+// over white, and the larger of the two errors is taken. The viewing distance is 67 pixels per
+// degree. The pair must not have floats.
 //
 // Memory: 2 MB per thread in addition to the pictures. `tiles` (at most kLargestFlipTile) and the
 // number of threads do not change the result.
 FlipErrors flip(const PicturePair& pair, TileSize tiles = kLargestFlipTile);
 
-// The errors as levels of heat_map.h: 0 for none,
-// 1 to 254 in proportion, rounded up,
-// kHeatNotCompared where not compared.
-// One level per pixel.
+// The errors as levels of heat_map.h, one level per pixel: 0 for no error, 1 to 254 in proportion
+// to the error and rounded up, kHeatNotCompared for pixels that are not compared.
 Image<std::uint8_t> flip_heat_map(const PicturePair& pair);
 
 }  // namespace glassbox

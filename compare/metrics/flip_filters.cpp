@@ -12,16 +12,18 @@ constexpr double square(double value) {
   return value * value;
 }
 
-// Contrast sensitivity of the opponent colours: amplitude a and width b (square degrees) of
-// Gaussians, table 1 of the paper.
+// The contrast sensitivity of each opponent colour is a sum of Gaussians with the amplitude a and
+// the width b (square degrees), from table 1 of the paper.
 constexpr double kLightnessWidth = 0.0047;
 constexpr double kRedGreenWidth = 0.0053;
 constexpr double kWideAmplitude = 34.1, kWideWidth = 0.04;
 constexpr double kNarrowAmplitude = 13.5, kNarrowWidth = 0.025;
 
-constexpr double kFeatureDeviation = 0.5 * 0.082 * kPixelsPerDegree;  // px; w = 0.082 degrees
+// px; the paper's w is 0.082 degrees
+constexpr double kFeatureDeviation = 0.5 * 0.082 * kPixelsPerDegree;
 
-// Three standard deviations, rounded up: b / (2 pi^2) is the variance in square degrees.
+// The radii are three standard deviations, rounded up. A Gaussian of the width b has the variance
+// b / (2 pi^2) in square degrees.
 constexpr double kColourVariance = kWideWidth / (2 * square(kPi)) * square(kPixelsPerDegree);
 static_assert(square(kColourRadius - 1) < 9 * kColourVariance);
 static_assert(9 * kColourVariance <= square(kColourRadius));
@@ -32,7 +34,7 @@ double contrast_gaussian(double width, int r) {
   return exponential(-square(kPi * r / kPixelsPerDegree) / width);
 }
 
-// The sum over the paper's radius, along one axis.
+// The sum of a Gaussian's values along one axis, up to the radius that the paper uses.
 double contrast_sum(double width) {
   double sum = 1;
   for (int r = kColourRadius; r > 0; --r) sum += 2 * contrast_gaussian(width, r);
@@ -71,7 +73,7 @@ void set_features(FlipFilters& filters) {
   double smooth = feature_gaussian(0);
   double slope = 0;
   double rise = 0;
-  double fall = -feature_bend(0);  // the only weight without a counterpart on the other side
+  double fall = -feature_bend(0);  // the centre is the only weight that occurs once
   for (int r = 1; r <= kFeatureRadius; ++r) {
     smooth += 2 * feature_gaussian(r);
     slope += feature_slope(r);

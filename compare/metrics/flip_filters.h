@@ -8,11 +8,12 @@
 
 namespace glassbox {
 
-// 67.02: a monitor 0.7 m wide with 3840 pixels, seen from 0.7 m, the default of the paper's
+// 67.02: a monitor 0.7 m wide with 3840 pixels, seen from 0.7 m. This is the default of the paper's
 // authors.
 inline constexpr double kPixelsPerDegree = 0.7 * (3840 / 0.7) * std::numbers::pi / 180;
 
-// In px. Three standard deviations of the widest filter of each kind, rounded up.
+// The radii of the filters in px: three standard deviations of the widest filter for colours, and
+// of the one for edges and points, rounded up.
 inline constexpr int kColourRadius = 10;
 inline constexpr int kFeatureRadius = 9;
 
@@ -22,8 +23,8 @@ struct FlipFilters {
   // for all.
   Taps<float, 6> lightness;
   Taps<float, 7> red_green;
-  // Blue-yellow is the sum of two Gaussians, each separable; `wide_share` is the share of the
-  // weight in the wide one.
+  // Blue-yellow is the sum of two Gaussians, each separable; `wide_share` is the wide one's
+  // fraction of the sum of all weights.
   Taps<float, kColourRadius> wide_blue_yellow, narrow_blue_yellow;
   float wide_share = 0, narrow_share = 0;
 

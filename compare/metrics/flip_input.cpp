@@ -21,7 +21,8 @@ float linear_of(std::uint8_t code) {
   return decode_srgb(code);
 }
 
-// The sRGB transfer function (IEC 61966-2-1); the same bits as for bytes where code = 257 byte.
+// The sRGB transfer function (IEC 61966-2-1) for 16-bit samples. The code 257 b gives the same bits
+// as the byte b.
 float linear_of(std::uint16_t code) {
   static const std::vector<float> table = [] {
     std::vector<float> linear(65536);

@@ -14,7 +14,8 @@ using flip_colour::Colour;
 constexpr std::ptrdiff_t kAcross = 1;
 constexpr std::ptrdiff_t kDown = FlipPlane::kStride;
 
-// Filters along x the rows of the tile and as many rows above and below as a filter along y needs.
+// Filters along x the rows of the tile, and as many rows above and below the tile as a filter along
+// y needs.
 template <std::size_t radius>
 void even_across(const FlipPlane& in, const PixelBox& tile, const Taps<float, radius>& taps,
                  float sum, int rows_around, FlipPlane& out) {
@@ -131,7 +132,7 @@ void FlipTile::compute(const PicturePair& pair, const PixelBox& tile) {
                        [](float a, float b) { return std::max(a, b); });
       }
     }
-    if (opaque) return;  // the background has no effect
+    if (opaque) return;  // then the second background would give the same errors
   }
 }
 

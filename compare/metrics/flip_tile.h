@@ -31,7 +31,8 @@ private:
   std::array<float, std::size_t(kStride* kRows)> samples_;
 };
 
-// The planes lightness, red-green and blue-yellow: see flip_colour::opponent_of_linear.
+// The planes of the opponent colours lightness, red-green and blue-yellow: see
+// flip_colour::opponent_of_linear.
 struct OpponentPlanes {
   FlipPlane lightness, red_green, blue_yellow;
 };
@@ -42,11 +43,12 @@ struct PerceivedPlanes {
   FlipPlane lightness, a, b, edges, points;
 };
 
-// Computes the errors of tiles, one after the other; each thread needs one of these objects, of 2
-// MB.
+// Computes the errors of tiles, one after the other. Each thread needs an object of its own, which
+// takes 2 MB.
 class FlipTile {
 public:
-  // Fills error().row(0) ... row(tile.height - 1). The tile is at most kLargestFlipTile.
+  // Computes the errors: row(0) ... row(tile.height - 1) of error(). The tile is at most
+  // kLargestFlipTile.
   void compute(const PicturePair& pair, const PixelBox& tile);
   const FlipPlane& error() const { return error_; }
 

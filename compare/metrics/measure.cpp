@@ -9,7 +9,7 @@ namespace {
 
 constexpr auto kNothingCompared = "no pixel is compared";
 
-// Why SSIM or FLIP cannot be computed; empty where they can.
+// The reason why SSIM cannot be computed for these pictures; empty if it can.
 std::string why_no_ssim(const PicturePair& pair) {
   if (has_floats(pair.reference))
     return "SSIM needs samples with a largest value (white), which floats do not have";

@@ -67,7 +67,7 @@ Result<double> parse_number(std::string_view text, std::string_view word) {
   return value;
 }
 
-// One word: a name, with or without a limit.
+// One word of the list of metrics: a name, with or without a limit.
 struct Word {
   std::string_view name;
   std::optional<Limit> limit;

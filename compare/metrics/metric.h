@@ -1,5 +1,5 @@
-// Numbers that say how different two pictures are. They are reported; they decide only where a
-// limit is given.
+// Numbers that say how different two pictures are. They are reported; only a number with a limit
+// changes whether the pictures pass.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ std::string to_string(const MetricRequest& request);  // as the user wrote it
 
 struct MetricValue {
   std::string name;
-  std::optional<double> value = {};  // none where the metric is not defined for these pictures
+  std::optional<double> value = {};  // none if the metric is not defined for these pictures
   std::string why_not = {};          // the reason if there is no value
   std::optional<Limit> limit = {};
   bool passes = true;  // whether the value is within its limit; a limit on a missing value fails

@@ -39,14 +39,16 @@ constexpr std::ptrdiff_t kRows = kLargestSsimTile.height + 2 * kRadius;
 using Row = std::array<double, std::size_t(kStride)>;
 using Plane = std::array<double, std::size_t(kStride* kRows)>;
 
-// The four pictures whose weighted means make the similarity. With s = r + t and d = r - t of the
-// samples r and t, r^2 + t^2 = (s^2 + d^2)/2 and 2rt = (s^2 - d^2)/2; the same holds for the
-// squared means and for the variances.
+// The similarity is computed from the weighted means of four pictures: s = r + t, d = r - t, s^2
+// and d^2, where r and t are the samples of the reference and of the test. This suffices because
+// r^2 + t^2 = (s^2 + d^2)/2 and 2rt = (s^2 - d^2)/2; the same holds for the squared means and for
+// the variances.
 enum Part : std::uint8_t { kSum, kDifference, kSumSquare, kDifferenceSquare };
 template <class Of>
 using Parts = std::array<Of, 4>;
 
-// If there is no difference, numerator and denominator have the same bits.
+// If the pictures do not differ, numerator and denominator have the same bits, so the result is
+// exactly 1.
 double similarity(double sum, double difference, double sum_square, double difference_square) {
   const double mean_s = sum * sum;
   const double mean_d = difference * difference;
@@ -96,10 +98,10 @@ struct Totals {
   }
 };
 
-// A thread's part of the picture and its counts so far.
+// A thread's buffers, and the similarities that it has counted so far.
 class SsimWorker {
 public:
-  // `tile` is a box of window centres.
+  // Adds the similarities of the windows whose centres are in `tile`.
   void add(const PicturePair& pair, const PixelBox& tile) {
     for (int channel = 0; channel < pair.reference.channels; ++channel) {
       for (int y = 0; y < tile.height + 2 * kRadius; ++y) {

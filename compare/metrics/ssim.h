@@ -22,12 +22,15 @@ struct SsimValues {
   double min = 0;             // the smallest value of a single window
 };
 
-// K1 = 0.01, K2 = 0.03 and L = 1 on samples scaled to [0, 1]; the pair must not have floats. There
-// are no windows where the picture is smaller than one window. Equal pictures give exactly 1.
+// Computes SSIM with the paper's constants K1 = 0.01, K2 = 0.03 and L = 1 (the range of the
+// samples, which are scaled to [0, 1]). The pair must not have floats. There are no windows if the
+// picture is smaller than one window. Equal pictures give exactly 1.
 //
-// Variances are computed as E[v^2] - E[v]^2, of the sum and the difference of the two pictures. v^2
-// is at most 4, and 22 roundings of 2^-53 each in either term leave an error below 2 * 22 * 4 *
-// 2^-53 = 2e-14. The denominator is at least K2^2 = 9e-4, so the error of a window is below 5e-11.
+// Variances are computed as E[v^2] - E[v]^2, where v is the sum or the difference of the two
+// pictures' samples and E the weighted mean. v^2 is at most 4. Each of the two terms has at most 22
+// roundings with a relative error of 2^-53, so the error of a variance is below
+// 2 * 22 * 4 * 2^-53 = 2e-14. The denominator of the similarity is at least K2^2 = 9e-4, so the
+// error of a window is below 5e-11.
 //
 // Memory: 0.2 MB per thread in addition to the pictures. `tiles` (at most kLargestSsimTile) and the
 // number of threads do not change the result.

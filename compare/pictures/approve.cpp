@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// read_stored has already checked the file.
+// The file's size needs no limit here, because read_stored has already checked the file.
 constexpr std::uint64_t kAnySize = ~std::uint64_t(0) - 1;
 
 }  // namespace

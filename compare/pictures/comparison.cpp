@@ -23,7 +23,7 @@ bool is_float(const StoredImage& image) {
   return std::holds_alternative<std::vector<float>>(image.samples);
 }
 
-// The reasons why the tolerances do not allow the differences; empty if they do.
+// The limits that do not allow the differences, in words; empty if all limits do.
 std::vector<std::string> broken_limits(const CompareOptions& options, const PicturePair& pair,
                                        const Differences& found,
                                        const std::vector<MetricValue>& metrics) {

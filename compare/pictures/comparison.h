@@ -23,7 +23,7 @@ enum class Verdict : std::uint8_t {
   kDifferent,
   kNew,         // there is no reference
   kMissing,     // there is no test picture
-  kUncompared,  // one of the two cannot be read, or an option does not fit them: see `error`
+  kUncompared,  // a picture cannot be read, or an option does not fit: see `error`
 };
 
 inline bool passes(Verdict verdict) {
@@ -38,7 +38,7 @@ struct CompareOptions {
   bool nan_equals_nan = false;
   // Returns the command that shows how a pixel of a picture made by this recipe was computed; empty
   // where there is none.
-  std::function<std::string(const Recipe& recipe, PixelAt pixel)> inspect_command;
+  std::function<std::string(const Recipe& recipe, PixelPosition pixel)> inspect_command;
 };
 
 // The properties of a picture that are known before its samples are compared.
@@ -63,8 +63,8 @@ struct Comparison {
   // Possible causes: a shift, a flip, swapped channels, another recipe.
   std::vector<std::string> hints;
   std::vector<std::string>
-      notes;              // about the test itself: a stale tolerance, an option that was overruled
-  std::string tolerance;  // the one that applied, as it would be written; empty: none
+      notes;              // tolerances that allow more than needed, options that were overruled
+  std::string tolerance;  // the tolerance that was used, as one would write it; empty: none
   std::string tolerance_reason;  // as given in the sidecar
   std::string inspect_command;  // shows how glassbox made the first differing pixel; empty: unknown
   std::vector<PixelBox> ignore;  // the boxes that were left out, including the sidecar's
@@ -73,18 +73,19 @@ struct Comparison {
 };
 
 // Reads both files and compares them. The sidecar of the reference adds its boxes and its mask; its
-// tolerance applies where the options have none (options have priority, and a note says so).
-// Pictures pass if they are the same, or if a fuzzy annotation, a number of ulps or limits on
-// metrics are given and all of them hold. If the pictures cannot be compared, the reason is in
-// `error`.
+// tolerance is used if the options have none (otherwise the options' tolerance is used, and a note
+// says so). Pictures pass if they are the same, or if a fuzzy annotation, a number of ulps or
+// limits on metrics are given and all of them hold. If the pictures cannot be compared, the reason
+// is in `error`.
 Comparison compare_files(const std::string& reference, const std::string& test,
                          const CompareOptions& options = {});
 
-// Compares the two files of a pair, under its name; kNew or kMissing where one of the two does not
-// exist.
+// Compares the two files of a pair, under the pair's name; kNew or kMissing if the reference or the
+// test picture does not exist.
 Comparison compare_pair(const PicturePaths& paths, const CompareOptions& options = {});
 
-// The pixels that a comparison used, for code that displays them.
+// The pixels that a comparison used, for code that displays them. Computed again from its boxes and
+// its mask.
 Result<Selection> selection_of(const StoredImage& reference, const std::vector<PixelBox>& ignore,
                                const std::string& mask);
 

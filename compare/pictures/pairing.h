@@ -10,8 +10,8 @@ namespace glassbox {
 
 // Two pictures of the same name, of which at least one exists.
 struct PicturePaths {
-  std::string name;             // below both directories, with / between folders
-  std::string reference, test;  // where they are or would be
+  std::string name;             // path below the two directories, with / between folders
+  std::string reference, test;  // their paths, also of a picture that does not exist
   bool has_reference = false;
   bool has_test = false;
 };

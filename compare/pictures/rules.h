@@ -18,14 +18,14 @@ struct ComparisonRules {
   std::string reason;        // of the sidecar's tolerance
 };
 
-// Adds the sidecar's boxes, and its mask if there is no mask yet. Its tolerance applies unless the
-// options have one; then a note is added.
+// Adds the sidecar's boxes to the options, and its mask if the options have no mask. The sidecar's
+// tolerance is used unless the options have a tolerance; then a note is added.
 ComparisonRules combine_rules(const CompareOptions& options, const std::optional<Sidecar>& sidecar,
                               std::vector<std::string>& notes);
 
 bool has_limit(const std::vector<MetricRequest>& metrics);
 
-// The tolerances as they would be written; empty: none.
+// The tolerances as one would write them on the command line; empty: none.
 std::string tolerance_text(const CompareOptions& options);
 
 // A sentence that says that the sidecar's tolerance allows more than these differences need; empty

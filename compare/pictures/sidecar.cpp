@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMaxBytes = 64 * 1024;
 
-// Splits "key: value"; a line without a key is the annotation itself.
+// Splits "key: value" into key and value. A line without a key is the fuzzy annotation itself.
 std::pair<std::string, std::string> split_line(std::string_view line) {
   const auto colon = line.find(':');
   if (colon == std::string_view::npos) return {"fuzzy", std::string(line)};
@@ -24,7 +24,7 @@ std::pair<std::string, std::string> split_line(std::string_view line) {
           std::string(trimmed(line.substr(colon + 1)))};
 }
 
-// Whether this key has been read before; only for keys that a sidecar may have once.
+// Whether the key has already been read. Only for keys that a sidecar may have no more than once.
 bool is_known(const Sidecar& sidecar, const std::string& key) {
   return (key == "fuzzy" && sidecar.tolerance.fuzzy) ||
          (key == "max-ulp" && sidecar.tolerance.max_ulp) ||

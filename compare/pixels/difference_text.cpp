@@ -7,7 +7,7 @@
 
 namespace glassbox {
 
-std::string pixel_text(const StoredImage& image, PixelAt pixel) {
+std::string pixel_text(const StoredImage& image, PixelPosition pixel) {
   const auto channels = std::size_t(image.channels);
   const std::size_t first =
       (std::size_t(pixel.y) * std::size_t(image.width) + std::size_t(pixel.x)) * channels;

@@ -11,7 +11,7 @@ namespace glassbox {
 
 // "(12, 0, 255)": the samples of a pixel; floats have the fewest digits that are read back as the
 // same float.
-std::string pixel_text(const StoredImage& image, PixelAt pixel);
+std::string pixel_text(const StoredImage& image, PixelPosition pixel);
 
 // A text such as "3/255", "3/65535" or "3 ulps"; "an infinite difference" for kUnbounded.
 std::string steps_text(std::uint32_t steps, const StoredImage& image);

@@ -29,7 +29,8 @@ void compare_row(const Sample* reference, const Sample* test, int channels, bool
   }
 }
 
-// The samples of rows with equal bytes need not be compared, unless NaN differs from itself.
+// Whether the rows have the same bytes. Then the samples need not be compared one by one, unless
+// NaN is to differ from itself.
 template <class Sample>
 bool same_bytes(const Sample* reference, const Sample* test, std::size_t samples) {
   return std::memcmp(reference, test, samples * sizeof(Sample)) == 0;
@@ -69,7 +70,7 @@ std::uint32_t ulp_distance(float a, float b, bool nan_equals_nan) {
   if (std::isnan(a) || std::isnan(b)) {
     return nan_equals_nan && std::isnan(a) && std::isnan(b) ? 0 : kUnbounded;
   }
-  // -0 and +0 count as two different floats here.
+  // Here -0 and +0 are two different floats, one ulp apart.
   const bool across_zero = std::signbit(a) != std::signbit(b);
   if (a == b && !across_zero) return 0;
   if (std::isinf(a) || std::isinf(b)) return kUnbounded;

@@ -30,13 +30,13 @@ struct PicturePair {
 std::uint32_t ulp_distance(float a, float b, bool nan_equals_nan);
 
 // Computes the largest difference of a channel in each pixel of row y, in steps; 0 where the
-// selection leaves the pixel out. `steps` has one element per pixel. Returns false if no step can
-// be above 0, which is known before the steps are computed.
+// selection leaves the pixel out. `steps` has one element per pixel. Returns false if the rows are
+// equal, so that all steps are 0.
 bool row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> steps);
 
-struct PixelAt {
+struct PixelPosition {
   int x = 0, y = 0;
-  friend bool operator==(const PixelAt&, const PixelAt&) = default;
+  friend bool operator==(const PixelPosition&, const PixelPosition&) = default;
 };
 
 // Pixels that differ and touch each other, corners included.
@@ -44,17 +44,18 @@ struct Region {
   PixelBox box;
   std::uint64_t pixels = 0;
   std::uint32_t largest = 0;  // steps
-  PixelAt worst;              // the first pixel in row order that differs by `largest`
+  PixelPosition worst;        // the first pixel in row order that differs by `largest`
 };
 
 struct Differences {
   std::uint64_t compared = 0;   // pixels
   std::uint64_t differing = 0;  // pixels
   std::uint32_t largest = 0;    // steps
-  PixelAt first;                // in row order; valid where differing > 0
+  PixelPosition first;          // in row order; valid where differing > 0
   PixelBox box;                 // around all pixels that differ
   std::uint64_t region_count = 0;
-  // The worst first: by largest difference, then by pixels; `kept_regions` at most.
+  // sorted by largest difference and then by number of pixels, the worst first; `kept_regions` at
+  // most
   std::vector<Region> regions;
 };
 

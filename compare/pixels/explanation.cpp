@@ -25,7 +25,7 @@ struct Hypothesis {
   int x_sign = 1, x_offset = 0;
   int y_sign = 1, y_offset = 0;
   std::array<int, 4> source = {0, 1, 2, 3};
-  // none: they fit if they are the same.
+  // absent: a sample fits if it is the same
   std::function<bool(int channel, Sample from, Sample to)> fits = {};
 };
 
@@ -47,7 +47,7 @@ const Sample* row_of(const StoredImage& image, int y) {
 }
 
 template <class Sample>
-const Sample* pixel_at(const StoredImage& image, PixelAt at) {
+const Sample* pixel_at(const StoredImage& image, PixelPosition at) {
   return row_of<Sample>(image, at.y) + std::ptrdiff_t(at.x) * image.channels;
 }
 
@@ -83,8 +83,10 @@ bool predicts(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, con
 
 // Counts of compared pixels of the test.
 struct Score {
-  std::uint64_t misses = 0;  // pixels that are not as the hypothesis says
-  std::uint64_t open = 0;  // pixels that differ, and whose source or target is outside the picture
+  std::uint64_t misses = 0;  // pixels that the hypothesis predicts wrongly
+  // differing pixels that the hypothesis moves from or to a place outside the picture, so that they
+  // neither confirm nor contradict it
+  std::uint64_t open = 0;
 };
 
 bool is_within(int place, int size) {
@@ -115,8 +117,8 @@ void score_row(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, in
   }
 }
 
-// The score over all rows, beginning with the first that differs, where a wrong hypothesis soon
-// fails. Stops above `limit` misses.
+// Adds up the score over all rows, beginning with the first row that differs, where a wrong
+// hypothesis soon fails. Stops when there are more than `limit` misses.
 template <class Sample>
 Score score_of(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, int first_row,
                std::uint64_t limit) {
@@ -141,8 +143,8 @@ bool is_evidence(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, 
   return !same_pixel(pair, from, to) && predicts(pair, hypothesis, from, to);
 }
 
-// A change of values that explains all pixels must be visible in two colours. If only one colour
-// has changed, an object has another colour, or has disappeared from a black background.
+// Whether the hypothesis is confirmed by pixels of two colours. If only one colour has changed, an
+// object may just have another colour, or have disappeared from a black background.
 template <class Sample>
 bool is_seen_in_two_colours(const PicturePair& pair, const Hypothesis<Sample>& hypothesis,
                             const Differences& differences) {
@@ -193,9 +195,10 @@ Sample clamped_sum(Sample sample, int offset) {
   return Sample(std::clamp(int(sample) + offset, 0, int(std::numeric_limits<Sample>::max())));
 }
 
-// The constant is taken from the first pixel that differs.
+// Adds the hypothesis that a constant was added to every sample. The constant is taken from the
+// first pixel that differs.
 template <class Sample>
-void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt first) {
+void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelPosition first) {
   const int channels = pair.reference.channels;
   const Sample* from = pixel_at<Sample>(pair.reference, first);
   const Sample* to = pixel_at<Sample>(pair.test, first);
@@ -212,7 +215,7 @@ void add_constant(Hypotheses<Sample>& all, const PicturePair& pair, PixelAt firs
   all.push_back(constant);
 }
 
-// Applies `fits` to the colours; alpha must be unchanged.
+// Returns the hypothesis that `fits` holds for the colours and that alpha is unchanged.
 template <class Sample, class Fits>
 Hypothesis<Sample> colour_hypothesis(std::string words, int channels, Fits fits) {
   Hypothesis<Sample> hypothesis{std::move(words)};
@@ -239,7 +242,7 @@ void add_encodings(Hypotheses<std::uint8_t>& all, int channels) {
 }
 
 template <class Sample>
-Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelAt first) {
+Hypotheses<Sample> hypotheses(const PicturePair& pair, PixelPosition first) {
   Hypotheses<Sample> all;
   const int channels = pair.reference.channels;
   if constexpr (std::is_integral_v<Sample>) {
@@ -260,8 +263,8 @@ std::string exceptions_text(std::uint64_t misses) {
   return " (except for " + counted(misses, "pixel") + ")";
 }
 
-// The hypothesis with the fewest misses, if it explains nine of ten differing pixels and leaves at
-// most half of them open.
+// The hypothesis with the fewest misses, among those that explain nine of ten differing pixels and
+// leave at most half of the differing pixels undecided (`open`).
 template <class Sample>
 std::optional<std::string> best_explanation(const PicturePair& pair,
                                             const Differences& differences) {

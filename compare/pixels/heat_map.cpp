@@ -22,7 +22,8 @@ std::uint8_t between(int a, int b, int numerator, int denominator) {
   return std::uint8_t(a + (b - a) * numerator / denominator);
 }
 
-// Ulps; two floats this far apart differ by a factor of four.
+// The end of the scale for floats, in ulps. Two floats that are so far apart differ by a factor of
+// four.
 constexpr std::uint32_t kFloatEnd = 1u << 24;
 
 std::uint32_t end_of_scale(const StoredImage& image) {

@@ -12,13 +12,14 @@ namespace glassbox {
 
 inline constexpr std::uint8_t kHeatSame = 0;           // compared and equal
 inline constexpr std::uint8_t kHeatNotCompared = 255;  // not compared
-inline constexpr std::uint8_t kHeatHottest = 254;      // 1 to 254: the size of the difference
+// 1 to 254: the size of the difference; 254 is the largest
+inline constexpr std::uint8_t kHeatHottest = 254;
 
 // The colour of each level: a single step is clearly visible, pixels that are left out are
 // blue-grey.
 const std::array<Rgba8, 256>& heat_colours();
 
-// The colour for a share of the limit: as heat_colours, but with black blended into the low end,
+// The colour for a fraction of the limit: as heat_colours, but with black blended into the low end,
 // because here the smallest values need not be noticed.
 Rgba8 heat_colour(double share);
 

@@ -20,7 +20,7 @@ PixelBox bounding_box(const PixelBox& a, const PixelBox& b) {
 }
 
 void merge_region(Region& into, const Region& other) {
-  const auto earlier = [](PixelAt a, PixelAt b) {
+  const auto earlier = [](PixelPosition a, PixelPosition b) {
     return std::tuple(a.y, a.x) < std::tuple(b.y, b.x);
   };
   if (other.largest > into.largest ||
@@ -34,7 +34,7 @@ void merge_region(Region& into, const Region& other) {
 
 }  // namespace
 
-// Every run starts as its own component.
+// Every run of differing pixels starts as a component of its own.
 std::vector<RegionFinder::Run> RegionFinder::find_runs(int y,
                                                        std::span<const std::uint32_t> steps) {
   std::vector<Run> runs;
@@ -74,7 +74,8 @@ void RegionFinder::join(std::size_t a, std::size_t b) {
 
 void RegionFinder::add_row(int y, std::span<const std::uint32_t> steps) {
   std::vector<Run> runs = find_runs(y, steps);
-  // Both lists are sorted, so one pass over both finds every pair that touches, corners included.
+  // The runs of both rows are sorted, so one pass over the two lists finds every two runs that
+  // touch, corners included.
   std::size_t above = 0;
   for (const Run& run : runs) {
     while (above < runs_.size() && runs_[above].last < run.first - 1) ++above;

@@ -9,9 +9,9 @@
 
 namespace glassbox {
 
-// Takes the rows of a picture from the top. A component is open while it reaches the last row
-// added. Only open components and the worst of the closed ones are kept, so the memory is
-// proportional to a row and to `kept`.
+// Finds the components of a picture whose rows are added from the top. A component is open while it
+// reaches the last row added. Only open components and the worst of the closed ones are kept, so
+// the memory is proportional to a row and to `kept`.
 class RegionFinder {
 public:
   RegionFinder(int width, std::size_t kept) : kept_(kept) { runs_.reserve(std::size_t(width)); }
@@ -42,9 +42,10 @@ private:
   std::uint64_t count_ = 0;
   std::vector<Run> runs_;     // of the last row
   std::vector<Region> open_;  // components that the runs belong to
-  // A component that was joined to another has the index of that one, any other its own index.
+  // If a component was joined to another one, the index of that one in `open_`, otherwise its own
+  // index.
   std::vector<std::size_t> into_;
-  std::vector<Region> closed_;  // a heap, the smallest difference first
+  std::vector<Region> closed_;  // a heap with the smallest difference on top
 };
 
 }  // namespace glassbox

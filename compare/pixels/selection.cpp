@@ -65,7 +65,7 @@ void Selection::exclude(std::size_t pixel) {
 }
 
 Result<void> Selection::exclude(const PixelBox& box) {
-  // In 64 bits, because x + width may overflow an int.
+  // Computed in 64 bits, because x + width may overflow an int.
   const auto clamp = [](std::int64_t value, int size) {
     return int(std::clamp<std::int64_t>(value, 0, size));
   };

@@ -1,5 +1,5 @@
-// How different a picture may be: not at all by default; otherwise within limits that must all
-// hold.
+// How much a picture may differ from its reference: not at all by default; otherwise within limits
+// that must all hold.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace glassbox {
 
-// A range of counts; both ends are allowed.
+// A range of numbers that includes its first and its last number.
 struct CountRange {
   std::uint64_t lowest = 0;
   std::uint64_t highest = 0;
@@ -29,16 +29,16 @@ struct Fuzzy {
   friend bool operator==(const Fuzzy&, const Fuzzy&) = default;
 };
 
-// Parses "maxDifference=0-1;totalPixels=0-4"; a name may be left out ("0-1;0-4"), and named parts
-// may be in either order. A single number means exactly that number.
+// Parses "maxDifference=0-1;totalPixels=0-4". The names may be left out ("0-1;0-4"), and parts with
+// names may be in either order. A single number means exactly that number.
 Result<Fuzzy> parse_fuzzy(const std::string& text);
 std::string to_string(const Fuzzy& fuzzy);
 
-// Whether both numbers are within their ranges. Pictures that do not differ at all pass where one
-// of the ranges starts at 0; no range allows kUnbounded.
+// Whether the largest difference and the number of differing pixels are within their ranges.
+// Pictures that do not differ at all pass if a range starts at 0; no range allows kUnbounded.
 bool allows(const Fuzzy& fuzzy, const Differences& differences);
 
-// The annotation that allows these differences and no others.
+// The annotation that allows exactly these differences.
 Fuzzy tightest_fuzzy(const Differences& differences);
 
 struct Tolerance {

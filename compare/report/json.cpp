@@ -19,7 +19,7 @@ Json steps(std::uint32_t steps) {
   return steps == kUnbounded ? Json("unbounded") : Json(steps);
 }
 
-Json point(PixelAt pixel) {
+Json point(PixelPosition pixel) {
   return {{"x", pixel.x}, {"y", pixel.y}};
 }
 

@@ -34,7 +34,8 @@ struct Picture {
   StoredImage image;
 };
 
-// Returns the picture, unless it cannot be read or is not the one that was compared.
+// Reads the picture again. Returns nothing if it cannot be read or is not the picture that was
+// compared.
 std::optional<StoredImage> read_again(const PictureFacts& facts) {
   auto image = read_stored(facts.path);
   if (!image) return {};
@@ -79,7 +80,7 @@ std::vector<Picture> pictures_of(const Comparison& comparison) {
   return pictures;
 }
 
-// Sorted with the worst first, otherwise in the given order.
+// The comparisons sorted with the worst first, otherwise in the given order.
 std::vector<const Comparison*> worst_first(std::span<const Comparison> comparisons) {
   std::vector<const Comparison*> order;
   for (const Comparison& one : comparisons) order.push_back(&one);
@@ -181,7 +182,7 @@ private:
   }
 
   const PageOptions& options_;
-  std::uint64_t left_;  // bytes
+  std::uint64_t left_;  // how many bytes the page may still get
   int blob_count_ = 0;
   std::string blobs_;
 };

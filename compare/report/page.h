@@ -21,10 +21,10 @@ struct PageOptions {
   std::uint64_t max_bytes = std::uint64_t(9) << 24;
 };
 
-// Writes the page, completely or not at all. Pairs that differ are included with their exact
-// samples, the worst first, until max_bytes are used up; the page says which are left out, and how
-// to get a page of them. For pictures that are the same only the name is included, unless there is
-// only one pair. The files are read again, one pair after the other.
+// Writes the page, completely or not at all. For pairs that differ it has the exact samples, the
+// worst pair first, until max_bytes are used up; the page says which pairs are left out, and how to
+// get a page of them. For pictures that are the same it has only the name, unless there is only one
+// pair. The files are read again, one pair after the other.
 Result<void> write_page(const std::string& path, std::span<const Comparison> comparisons,
                         const PageOptions& options = {});
 

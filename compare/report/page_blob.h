@@ -1,4 +1,5 @@
-// Exact samples in a page: rows stored as differences from the row above, compressed, as text.
+// The exact samples of pictures in a page: rows are stored as differences from the row above,
+// compressed, and encoded as text.
 #pragma once
 
 #include <cstdint>

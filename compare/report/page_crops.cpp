@@ -11,8 +11,8 @@ struct Span {
   int start, length;
 };
 
-// The part that is shown of a region's extent along one axis: the region with its surroundings, or,
-// if that is too long, `side` pixels around `worst`.
+// The pixels of a region that are shown along one axis: the region with its surroundings, or, if
+// these are too long, `side` pixels around `worst`.
 Span shown(int start, int length, int worst, int size, int side) {
   int first = start - kSurroundings, last = start + length + kSurroundings;
   if (last - first > side) {
@@ -23,7 +23,7 @@ Span shown(int start, int length, int worst, int size, int side) {
   return {first, std::min(last, size) - first};
 }
 
-bool shows(const std::vector<PixelBox>& crops, PixelAt pixel) {
+bool shows(const std::vector<PixelBox>& crops, PixelPosition pixel) {
   return std::any_of(crops.begin(), crops.end(), [pixel](const PixelBox& crop) {
     return crop.x <= pixel.x && pixel.x < crop.x + crop.width && crop.y <= pixel.y &&
            pixel.y < crop.y + crop.height;

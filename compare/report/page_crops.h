@@ -16,9 +16,9 @@ struct CropLimits {
   std::size_t count = 8;
 };
 
-// Boxes inside a picture of width x height pixels: one box of the whole picture, or crops around
-// the worst regions, each with its surroundings. Where no difference is known (`differences` may be
-// null), the top left corner.
+// Returns boxes inside a picture of width x height pixels: one box of the whole picture, or crops
+// around the worst regions, each with its surroundings. If no difference is known (`differences`
+// may be null), the crop is the top left corner.
 std::vector<PixelBox> crops_of(int width, int height, const Differences* differences,
                                const CropLimits& limits);
 

@@ -22,7 +22,7 @@ std::string value_text(const MetricValue& metric) {
   return metric.value ? fmt::format("{:.6g}", *metric.value) : "not defined: " + metric.why_not;
 }
 
-// Why the pictures are not the same, or were not compared.
+// The reason why the pictures are not the same, or were not compared.
 std::string reason(const Comparison& comparison) {
   if (comparison.error) return comparison.error->message();
   return comparison.reasons.empty() ? "" : comparison.reasons.front();
@@ -54,7 +54,7 @@ std::string comparison_details(const Comparison& comparison) {
     text += line(metric.name, value_text(metric));
   for (const std::string& hint : comparison.hints) text += line("likely", hint);
   for (const std::string& note : comparison.notes) text += line("note", note);
-  // Not shortened: a command that is cut off would be a different command.
+  // The command is not shortened: a command that is cut off would be a different command.
   if (!comparison.inspect_command.empty()) {
     text += fmt::format("  inspect: {}\n", comparison.inspect_command);
   }

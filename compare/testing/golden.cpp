@@ -34,8 +34,8 @@ fs::path golden_path(const std::string& golden, const std::string& source_file) 
   return fs::absolute(fs::path(source_file).parent_path() / golden).lexically_normal();
 }
 
-// The path for the files of a failure: below the failures folder, under the golden's name (for an
-// absolute path its last part, for a relative one without its ".." parts).
+// The path for the files of a failure: the golden's name below the folder of failures. An absolute
+// path is reduced to its last part, and a relative one loses its ".." parts.
 fs::path failure_path(const std::string& golden) {
   const char* folder = environment("GLASSBOX_FAILURES");
   const fs::path name(golden);
@@ -49,8 +49,8 @@ fs::path failure_path(const std::string& golden) {
 Result<std::vector<std::byte>> encode(const StoredImage& image, const fs::path& golden) {
   if (golden.extension() == ".png") return encode_png(image);
   if (golden.extension() == ".pfm") return encode_pfm(image);
-  return tl::unexpected(
-      Error{golden.string(), "", "a golden image is a .png or a .pfm file", "end its name so"});
+  return tl::unexpected(Error{golden.string(), "", "a golden image is a .png or a .pfm file",
+                              "end its name in .png or .pfm"});
 }
 
 Result<void> make_folder_of(const fs::path& file) {
@@ -90,7 +90,8 @@ Comparison compare_with_golden(const fs::path& golden, const fs::path& test) {
   std::error_code ignored;
   Comparison comparison = compare_pair({golden.filename().string(), golden.string(), test.string(),
                                         fs::exists(golden, ignored), true});
-  // The approval option of glassbox diff does not apply here; the message ends with how to approve.
+  // The remedy of glassbox diff, its approval option, does not exist here; the message ends with
+  // how to approve.
   if (comparison.verdict == Verdict::kNew) comparison.error->remedy = "look at " + test.string();
   return comparison;
 }

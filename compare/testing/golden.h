@@ -1,5 +1,5 @@
-// The implementation of MatchesGolden for any test framework; catch2.h and gtest.h beside this file
-// are the matchers.
+// Implements MatchesGolden without a test framework. The matchers for Catch2 and GoogleTest are in
+// catch2.h and gtest.h beside this file.
 //
 // A golden image is a picture that somebody has checked; it is stored with the tests. A test makes
 // the picture again and compares it, exactly unless a sidecar (NAME.fuzzy, see

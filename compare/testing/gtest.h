@@ -39,7 +39,7 @@ inline testing::PolymorphicMatcher<GoldenMatcher> MatchesGolden(
   return testing::MakePolymorphicMatcher(GoldenMatcher(std::move(golden), source_file));
 }
 
-// How GoogleTest prints pictures.
+// Tells GoogleTest how to print a picture in its messages.
 template <class Pixel>
 void PrintTo(const Image<Pixel>& image, std::ostream* out) {
   *out << "the picture of " << image.width << " x " << image.height;

@@ -14,7 +14,7 @@ double power_7(double x) {
   return cube * cube * x;
 }
 
-// How saturated a chroma is: 0 for greys, near 1 for chroma far above 25.
+// How saturated a colour of this chroma is: 0 for greys, near 1 for chroma far above 25.
 double saturation(double chroma) {
   constexpr double k25 = 6103515625.0;  // 25^7
   const double high = power_7(chroma);
@@ -49,7 +49,8 @@ Lab lab_of_linear(double red, double green, double blue) {
   return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-// Names and order follow the paper: C for chroma, h for hue, a prime for the adjusted a.
+// Names and order follow the paper: C stands for chroma, h for hue, a prime for values from the
+// adjusted a.
 double ciede2000(const Lab& one, const Lab& other) {
   const double mean_c = (std::sqrt(one.a * one.a + one.b * one.b) +
                          std::sqrt(other.a * other.a + other.b * other.b)) /
@@ -61,7 +62,8 @@ double ciede2000(const Lab& one, const Lab& other) {
   const double h1 = hue_degrees(a1, one.b), h2 = hue_degrees(a2, other.b);
   const bool has_grey = c1 * c2 == 0;
 
-  double turn = has_grey ? 0 : h2 - h1;  // the shorter way round the circle
+  // The hue difference is taken the shorter way round the circle; it is 0 if one colour is grey.
+  double turn = has_grey ? 0 : h2 - h1;
   if (turn > 180) turn -= 360;
   if (turn < -180) turn += 360;
   double mean_h = h1 + h2;

@@ -1,5 +1,5 @@
-// A mean that does not depend on the order in which its values are added: a sum of whole multiples
-// of 2^-32.
+// A mean that does not depend on the order in which values are added: the values are rounded to
+// multiples of 2^-32 and summed as whole numbers.
 #pragma once
 
 #include <cstdint>

@@ -12,14 +12,14 @@ struct Matrix {
   double at[3][3];
 };
 
-// Linear sRGB to CIE XYZ: the primaries of ITU-R BT.709 and white at x = 0.31271, y = 0.32902, as
-// exact fractions.
+// Converts linear sRGB to CIE XYZ, with the primaries of ITU-R BT.709 and white at x = 0.31271, y =
+// 0.32902. The numbers are exact fractions.
 inline constexpr Matrix kXyzFromRgb{
     {{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
      {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
      {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
 
-// XYZ relative to white: each row adds up to 1.
+// Converts linear sRGB to XYZ divided by the XYZ of white, so each row adds up to 1.
 inline constexpr Matrix kRelativeFromRgb = [] {
   Matrix relative = kXyzFromRgb;
   for (auto& row : relative.at) {
@@ -58,15 +58,15 @@ inline Colour times(const Matrix& matrix, Colour colour) {
   return {row(0), row(1), row(2)};
 }
 
-// YCxCz without its scales and its offset, which filters do not change: Y/Yn, X/Xn - Y/Yn and Y/Yn
-// - Z/Zn. The paper's Y is 116 times the first minus 16, its Cx and Cz are 500 and 200 times the
-// others.
+// The colour space YCxCz without its scales and its offset, which filters do not change: the three
+// numbers are Y/Yn, X/Xn - Y/Yn and Y/Yn - Z/Zn, where (Xn, Yn, Zn) is white. The paper's Y is 116
+// times the first number minus 16, its Cx is 500 times the second and its Cz 200 times the third.
 inline Colour opponent_of_linear(Colour rgb) {
   const Colour relative = times(kRelativeFromRgb, rgb);
   return {relative.y, relative.x - relative.y, relative.y - relative.z};
 }
 
-// The linear colour, clamped to the colours that a monitor can show.
+// The linear sRGB colour, clamped to the colours that a monitor can show.
 inline Colour linear_of_opponent(Colour opponent) {
   const Colour rgb =
       times(kRgbFromRelative, {opponent.x + opponent.y, opponent.x, opponent.x - opponent.z});
@@ -74,7 +74,7 @@ inline Colour linear_of_opponent(Colour opponent) {
   return {clamp(rgb.x), clamp(rgb.y), clamp(rgb.z)};
 }
 
-// The cube root of CIELab, with its straight line near black.
+// The cube root of CIELab, which is replaced by a straight line near black.
 inline float lab_root(float value) {
   constexpr float kDelta = 6.0f / 29.0f;
   constexpr float kCube = kDelta * kDelta * kDelta;
@@ -83,7 +83,7 @@ inline float lab_root(float value) {
   return value > kCube ? root : line;
 }
 
-// CIELab with Hunt's adjustment: colour counts less where it is dark.
+// CIELab with Hunt's adjustment, which makes differences of colour smaller where it is dark.
 inline Colour hunt_lab_of_linear(Colour rgb) {
   const Colour relative = times(kRelativeFromRgb, rgb);
   const float x = lab_root(relative.x);
@@ -94,17 +94,17 @@ inline Colour hunt_lab_of_linear(Colour rgb) {
           0.01f * lightness * (200.0f * (y - z))};
 }
 
-// The HyAB distance: city-block distance between lightness and colour, Euclidean distance within
-// colour.
+// The HyAB distance: the difference in lightness plus the Euclidean distance in the other two
+// coordinates.
 inline float hyab(Colour a, Colour b) {
   const float dy = a.y - b.y;
   const float dz = a.z - b.z;
   return std::abs(a.x - b.x) + std::sqrt(dy * dy + dz * dz);
 }
 
-// The error of two colours at the distance hyab, in [0, 1]: a power, then two straight lines that
-// meet where the fraction `turn` of the largest distance (between green and blue) is mapped to
-// `target`.
+// The error of two colours at a HyAB distance, in [0, 1]. The distance is raised to a power and
+// then mapped by two straight lines: values from 0 to the fraction `turn` of the largest value
+// (that of green and blue) to 0 .. `target`, and larger values to `target` .. 1.
 class ColourError {
 public:
   ColourError()
@@ -120,18 +120,20 @@ public:
   }
 
 private:
-  static constexpr float kPower = 0.7f;    // q_c
-  static constexpr float kTurn = 0.4f;     // p_c
-  static constexpr float kTarget = 0.95f;  // p_t
-  float largest_;                          // c_max
+  static constexpr float kPower = 0.7f;    // q_c in the paper
+  static constexpr float kTurn = 0.4f;     // p_c in the paper
+  static constexpr float kTarget = 0.95f;  // p_t in the paper
+  float largest_;                          // c_max in the paper
 };
 
-// The error of features whose strengths differ by `difference`, in [0, 1]; q_f = 1/2.
+// The error of edges and points (features) whose strengths differ by `difference`, in [0, 1]; the
+// paper's exponent q_f is 1/2.
 inline float feature_error(float difference) {
   return std::min(std::sqrt(difference * 0.70710678118654752f), 1.0f);
 }
 
-// Combines both errors: a difference of features makes the colour error larger.
+// Combines the errors of colour and features: a difference of features makes the colour error
+// larger.
 inline float combined_error(float colour, float feature) {
   return std::min(power(colour, 1.0f - feature), 1.0f);
 }

@@ -29,8 +29,8 @@ inline float log_2(float value) {
   const std::int32_t shifted = std::bit_cast<std::int32_t>(value) - kRootHalf;
   const std::int32_t exponent = shifted >> 23;
   const float mantissa = std::bit_cast<float>((shifted & 0x7fffff) + kRootHalf);
-  // ln m = 2 artanh s with s = (m - 1)/(m + 1), |s| < 0.172; the first omitted term is below 2/11
-  // s^11 = 7e-10.
+  // ln m = 2 artanh s with m the mantissa, s = (m - 1)/(m + 1) and |s| < 0.172, as a series in s;
+  // the first omitted term is below 2/11 s^11 = 7e-10.
   const float s = (mantissa - 1.0f) / (mantissa + 1.0f);
   const float z = s * s;
   const float series = ((z * (1.0f / 9.0f) + 1.0f / 7.0f) * z + 1.0f / 5.0f) * z + 1.0f / 3.0f;
@@ -43,7 +43,7 @@ inline float exp_2(float value) {
   constexpr float kRound = 0x1.8p23f;  // adding it leaves the nearest integer in the low bits
   const float shifted = value + kRound;
   const float rest = (value - (shifted - kRound)) * 0.69314718055994531f;  // in [-0.347, 0.347]
-  // The series of exp; the first omitted term is below rest^8/8! = 5.2e-9.
+  // The series of exp(rest); the first omitted term is below rest^8/8! = 5.2e-9.
   float series = 1.0f / 5040.0f;
   for (const float term : {1.0f / 720.0f, 1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f}) {
     series = series * rest + term;

@@ -45,9 +45,9 @@ constexpr AnaglyphMatrix kDuboisCrt{{{
 
 // Dubois, "Conversion of a stereo pair to anaglyph with the least-squares projection method", 2009;
 // as in Dolphin, Data/Sys/Shaders/Anaglyph/dubois*.glsl, and in Camera3D, AnaglyphConstants.java.
-// Where public copies differ, the value is used with which the rows sum to 1: in green-magenta
-// Dolphin has +0.065 for -0.065 (FFmpeg agrees with Camera3D), in amber-blue FFmpeg has 65535 /
-// 65536 for 1.062.
+// Where public copies differ, the value is used with which the rows sum to 1: for green-magenta
+// Dolphin has +0.065 instead of -0.065 (FFmpeg agrees with Camera3D), for amber-blue FFmpeg has
+// 65535 / 65536 instead of 1.062.
 constexpr AnaglyphMatrix kDuboisRedCyan{{{
     {0.437f, 0.449f, 0.164f, -0.011f, -0.032f, -0.007f},
     {-0.062f, -0.062f, -0.024f, 0.377f, 0.761f, 0.009f},
@@ -84,14 +84,14 @@ int channel_count(const EyeChannels& eye) {
   return int(eye.r) + int(eye.g) + int(eye.b);
 }
 
-// The channel that kTrue leaves black. An eye with two channels leaves out the one that is next to
-// the other eye's channel in the spectrum (red, green, blue); for green-magenta, where both are
-// next to green, it is blue.
+// The channel that the method kTrue leaves black. In the spectrum the channels are red, green,
+// blue. The eye with two channels leaves out the one that is next to the other eye's channel; for
+// green-magenta both are next to green, and blue is left out.
 constexpr std::size_t unused_channel(Glasses glasses) {
   return glasses == Glasses::kGreenMagenta ? 2 : 1;
 }
 
-// The matrix of the methods that depend only on which channel belongs to which eye.
+// The matrix of a method that depends only on which channel belongs to which eye.
 AnaglyphMatrix by_channel(AnaglyphMethod method, Glasses glasses) {
   const EyeMasks masks = eye_masks(glasses);
   AnaglyphMatrix matrix;
@@ -116,7 +116,7 @@ Result<AnaglyphMatrix> only_red_cyan(AnaglyphMethod method, Glasses glasses,
   return fail("anaglyph",
               fmt::format("{} has a matrix for red-cyan glasses only, not for {}", name_of(method),
                           name_of(glasses)),
-              "choose dubois, which has one for each");
+              "choose dubois, which has a matrix for each kind of glasses");
 }
 
 Image<Rgba8> mask_channels(const Image<Rgba8>& left, const Image<Rgba8>& right, Glasses glasses) {

@@ -7,7 +7,7 @@
 
 #include <glassbox/base/error.h>
 #include <glassbox/images/image.h>
-#include <glassbox/images/stereo/eyes.h>
+#include <glassbox/images/stereo/check_eyes.h>
 #include <glassbox/images/stereo/linear.h>
 #include <glassbox/images/stereo/named_choice.h>
 
@@ -36,17 +36,18 @@ struct EyeMasks {
 };
 EyeMasks eye_masks(Glasses glasses);
 
-// Rows: the red, green and blue that are shown. Columns: the red, green and blue of the left eye's
-// picture, then of the right eye's. In linear light.
+// In linear light. The rows give the red, green and blue that are shown. The columns are the red,
+// green and blue of the left eye's picture, then those of the right eye's picture.
 struct AnaglyphMatrix {
   std::array<std::array<float, 6>, 3> at{};
 };
 
 // - kMask: each channel comes from the eye that it belongs to (S0-02); the literature's "colour
 //   anaglyph".
-// - kTrue: luma, in one channel of each eye. An eye with two channels uses the one that is furthest
-//   in the spectrum from the other eye's (red and blue, green and red, red and blue). The third
-//   channel stays black, so white is shown as magenta, yellow or magenta.
+// - kTrue: luma, in one channel of each eye. An eye with two channels uses the channel that is
+//   furthest in the spectrum from the other eye's channel. So the two channels are red and blue for
+//   red-cyan, green and red for green-magenta, red and blue for amber-blue. The third channel stays
+//   black, so white is shown as magenta, yellow or magenta.
 // - kGrey: luma in all channels of an eye.
 // - kHalf: luma where an eye has one channel, its own colours where it has two.
 // - kOptimised: red = 0.7 green + 0.3 blue, the rest as in kMask (Wimmer). Red-cyan only. Wimmer's

@@ -9,7 +9,7 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/images/out_of_memory.h>
 #include <glassbox/images/srgb.h>
-#include <glassbox/images/stereo/eyes.h>
+#include <glassbox/images/stereo/check_eyes.h>
 
 namespace glassbox {
 namespace {
@@ -31,7 +31,7 @@ struct LineYiq {
   Line y, i, q;
 };
 
-// A low-pass filter that does not change a constant signal.
+// A low-pass filter that leaves a constant signal unchanged.
 class LowPass {
 public:
   explicit LowPass(double megahertz) {
@@ -49,7 +49,7 @@ public:
 
   int radius() const { return int(weights_.size()) - 1; }  // samples
 
-  // Beyond its ends a line is continued with its end values.
+  // Beyond its ends, a line is continued with the value at that end.
   Line operator()(const Line& in) const {
     const auto last = std::ptrdiff_t(in.size()) - 1;
     Line out(in.size());
@@ -66,11 +66,12 @@ public:
   }
 
 private:
-  std::vector<double> weights_;  // at distance 0, 1, 2 ... on both sides
+  // The weights at the distances 0, 1, 2 ... samples, used on both sides.
+  std::vector<double> weights_;
 };
 
-// FCC NTSC (1953), to three digits. The way back is the exact inverse of this matrix, not the
-// rounded one found in books.
+// From R'G'B' to YIQ by FCC NTSC (1953), to three digits. kRgb is the exact inverse of this matrix,
+// not the rounded inverse that is found in books.
 constexpr double kYiq[3][3] = {
     {0.299, 0.587, 0.114}, {0.596, -0.274, -0.322}, {0.211, -0.523, 0.312}};
 
@@ -90,7 +91,8 @@ constexpr std::array<std::array<double, 3>, 3> kRgb = [] {
   return inverse;
 }();
 
-// Adds `margin` samples on both sides, with the values of the line's ends.
+// Converts a line to YIQ and adds `margin` samples on both sides, with the values of the line's
+// ends.
 LineYiq encode_line(const Rgba8* pixels, int width, int margin) {
   const auto samples = std::size_t(width + 2 * margin);
   LineYiq line{Line(samples), Line(samples), Line(samples)};
@@ -119,8 +121,8 @@ void decode_line(const LineYiq& line, Rgba8* pixels, int width, int margin) {
   }
 }
 
-// One signal carries all three: frequencies around the subcarrier arrive as chroma, the others as
-// luma.
+// Sends luma and chroma in one signal: frequencies around the subcarrier arrive as chroma, other
+// frequencies as luma.
 LineYiq through_one_wire(const LineYiq& sent, int y, const LowPass& band_i, const LowPass& band_q) {
   const std::size_t width = sent.y.size();
   std::vector<SinCos> carrier(width);
@@ -158,7 +160,7 @@ Image<Rgba8> through(const Image<Rgba8>& sent, Cable cable) {
   return arrived;
 }
 
-// Sums of squares of whole numbers: exact.
+// Collects the differences between bytes. Sums of squares of whole numbers are exact.
 class Differences {
 public:
   void add(bool counts, std::uint8_t a, std::uint8_t b) {

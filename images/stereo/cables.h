@@ -1,5 +1,5 @@
-// The effect of analogue cables on an anaglyph: they carry fine luma, but blur chroma or mix the
-// two, and chroma is what separates the eyes in an anaglyph (S0-17).
+// The effect of analogue cables on an anaglyph: they transmit fine luma, but blur chroma or mix it
+// with luma, and chroma is what separates the eyes in an anaglyph (S0-17).
 #pragma once
 
 #include <span>
@@ -28,10 +28,10 @@ std::string_view name_of(Cable cable);
 // blurred except where it shares the cable; noise and gain are not simulated. Alpha is kept. The
 // result is the same bytes on every machine.
 //
-// Filters are sinc functions under a Hamming window, 6 dB down at the named frequencies, 2 samples
-// / frequency to either side. On composite, the part that the receiver takes for chroma is
-// subtracted from its luma, and the phase of the subcarrier changes by half a period from line to
-// line.
+// The filters are sinc functions under a Hamming window, 6 dB down at the frequencies given at
+// Cable; they reach two periods of this frequency to either side. On composite, the part that the
+// receiver takes for chroma is subtracted from its luma, and the phase of the subcarrier changes by
+// half a period from line to line.
 Result<Image<Rgba8>> send_through_cable(const Image<Rgba8>& sent, Cable cable);
 
 // Root mean squares over the pixels, in bytes (1/255 of full scale).
@@ -44,9 +44,9 @@ struct EyeErrors {
 Result<EyeErrors> channel_errors(const Image<Rgba8>& sent, const Image<Rgba8>& arrived,
                                  Glasses glasses);
 
-// The difference between the arrived values in each eye's channels and the values that arrive there
-// when the other eye's channels are black: only the leak from one eye into the other. 0 for a cable
-// that keeps channels separate.
+// The difference between the arrived values in each eye's channels and the values that arrive in
+// these channels when the other eye's channels are black: only the leak from one eye into the
+// other. It is 0 for a cable that keeps channels separate.
 Result<EyeErrors> channel_leaks(const Image<Rgba8>& sent, Cable cable, Glasses glasses);
 
 }  // namespace glassbox

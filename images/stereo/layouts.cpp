@@ -64,8 +64,9 @@ Result<Image<Rgba8>> make_stereo_layout(const Image<Rgba8>& left, const Image<Rg
   constexpr int kLargest = std::numeric_limits<int>::max() / 2;
   if (layout != StereoLayout::kInterlaced && std::max(left.width, left.height) > kLargest) {
     return fail(std::string(name_of(layout)),
-                fmt::format("{}x{} pixels are too many to double", left.width, left.height),
-                "make the pictures smaller");
+                fmt::format("two pictures of {}x{} pixels are too large for one picture",
+                            left.width, left.height),
+                "make both pictures smaller");
   }
   return unless_out_of_memory([&]() -> Result<Image<Rgba8>> {
     switch (layout) {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include <glassbox/images/stereo/eyes.h>
+#include <glassbox/images/stereo/check_eyes.h>
 #include <glassbox/images/stereo/named_choice.h>
 
 namespace glassbox {
@@ -21,8 +21,8 @@ enum class StereoLayout { kPair, kOverUnder, kCrossEyed, kInterlaced };
 std::span<const NamedChoice<StereoLayout>> all_stereo_layouts();
 std::string_view name_of(StereoLayout layout);
 
-// Pixels are copied with their alpha. Refuses eyes of different sizes, and sizes for which twice
-// the size is too large for an int.
+// Makes the image of both pictures; pixels are copied with their alpha. Refuses eyes of different
+// sizes, and sizes for which twice the size is too large for an int.
 Result<Image<Rgba8>> make_stereo_layout(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                         StereoLayout layout);
 

@@ -13,12 +13,12 @@ using LightMatrix = std::array<std::array<double, 3>, 3>;
 
 struct Lenses {
   LightMatrix left, right;
-  bool measured = false;  // with the measured leaks of a real pair of glasses
+  bool measured = false;  // true: with the measured leaks of a real pair of glasses
 };
 
-// The screen without glasses, and behind the lenses of red-cyan glasses: A_l, A_r and C as
-// McAllister, Zhou and Sullivan, "Methods for computing color anaglyphs" (2010), took them from
-// Dubois.
+// The light of the screen without glasses (C), and behind the left and the right lens of red-cyan
+// glasses (A_l and A_r), as McAllister, Zhou and Sullivan, "Methods for computing color anaglyphs"
+// (2010), took it from Dubois.
 inline constexpr LightMatrix kScreenLight{
     {{0.4243, 0.3105, 0.1657}, {0.2492, 0.6419, 0.1089}, {0.0265, 0.1225, 0.8614}}};
 inline constexpr LightMatrix kRedLensLight{
@@ -26,9 +26,9 @@ inline constexpr LightMatrix kRedLensLight{
 inline constexpr LightMatrix kCyanLensLight{
     {{0.0153, 0.1092, 0.1171}, {0.0176, 0.3088, 0.0777}, {0.0201, 0.1016, 0.6546}}};
 
-// Red-cyan has the measured lenses. There are no published matrices for the other glasses, so
-// theirs are ideal: the screen's light of the channels that the lens lets through and nothing of
-// the rest, so nothing leaks.
+// Red-cyan glasses have the measured lenses. There are no published matrices for other glasses, so
+// their lenses are ideal: they let through the screen's light of the eye's own channels and nothing
+// of the other channels, so nothing leaks.
 Lenses lenses_of(Glasses glasses);
 
 // The luminance Y of the shown colour, in linear light, through a lens.

@@ -1,4 +1,4 @@
-// Colours as linear light: anaglyphs are mixed and measured in it.
+// Colours as linear light, in which anaglyphs are mixed and measured.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace glassbox {
 
-// Red, green and blue, each in [0, 1] if it can be shown.
+// Red, green and blue. A screen can show values in [0, 1].
 using Linear = std::array<float, 3>;
 
 inline Linear linear_of(const Rgba8& pixel) {

@@ -17,15 +17,15 @@ Lab lab_of(const Linear& colour) {
   return lab_of_linear(double(colour[0]), double(colour[1]), double(colour[2]));
 }
 
-// A colour of the pictures and its share of the pixels.
+// A colour of the pictures and the fraction of the pixels that have it.
 struct Colour {
   Linear linear{};
   Lab lab;
-  double share = 0;  // of all pixels
+  double share = 0;  // the fraction of all pixels with this colour
 };
 using Palette = std::vector<Colour>;
 
-constexpr std::size_t kSearchedColours = 4096;  // 16 levels a channel
+constexpr std::size_t kSearchedColours = 4096;  // 16 levels of each channel: 16^3
 
 std::uint32_t packed(const Rgba8& pixel) {
   return std::uint32_t(pixel.r) << 16 | std::uint32_t(pixel.g) << 8 | pixel.b;
@@ -98,10 +98,11 @@ Compromise measure(const Palette& palette, const Rivalry& rivalry, const Recolou
   return {recolour, mean_rivalry(palette, rivalry, recolour), mean_difference(palette, recolour)};
 }
 
-// Rivalry below this value is float rounding error: luma's weights add up to 1 within 2^-24.
+// Rivalry below this value is float rounding error: luma's weights add up to 1 only within 2^-24.
 constexpr double kNoRivalry = 1e-6;
 
-// Returns the least k, within 2^-20, that reduces the rivalry to `target`, or 1 where none does.
+// Returns the smallest k (desaturation), within 2^-20, that reduces the rivalry to `target`, or 1
+// if none does.
 double least_desaturation(const Palette& palette, const Rivalry& rivalry, double brighten,
                           double target) {
   const auto rivalry_at = [&](double k) { return mean_rivalry(palette, rivalry, {k, brighten}); };
@@ -109,7 +110,8 @@ double least_desaturation(const Palette& palette, const Rivalry& rivalry, double
   const double undulled = rivalry_at(0);
   if (undulled <= target + kNoRivalry) return 0;
   double too_little = 0, enough = 1;
-  // Where nothing is clamped, the rivalry is (1 - k) times that of k = 0.
+  // If no colour is clamped, the rivalry is 1 - k times the rivalry for k = 0, which gives a first
+  // guess.
   constexpr double kClose = 0x1p-20;
   const double guess = 1 - target / undulled;
   if (guess > kClose && !meets(guess - kClose)) too_little = guess - kClose;
@@ -131,7 +133,7 @@ Compromise best(const Palette& palette, const Rivalry& rivalry, double target) {
   for (double brighten = kStep; brighten <= 1; brighten += kStep) {
     const Compromise next = with(brighten);
     if (next.difference < best.difference) best = next;
-    // More brightening than the target needs without any desaturation only increases the
+    // If the target is met without any desaturation, more brightening only increases the
     // difference.
     if (next.recolour.desaturate == 0) break;
   }

@@ -10,14 +10,14 @@
 
 namespace glassbox {
 
-// c' = b + (1 - b) lerp(c, luma(c), k), in linear light, both strengths in [0, 1] (S0-15). 0 and 0
-// change nothing.
+// c' = b + (1 - b) lerp(c, luma(c), k), in linear light, with the strengths k and b in [0, 1]
+// (S0-15). k = 0 and b = 0 change nothing.
 //
-// Every method without clamping is linear and gives greys no rivalry, so rivalry is multiplied by
-// exactly (1 - k)(1 - b).
+// Every method without clamping is linear and gives greys no rivalry, so the rivalry of c' is
+// exactly (1 - k)(1 - b) times that of c.
 struct Recolour {
-  double desaturate = 0;  // k
-  double brighten = 0;    // b
+  double desaturate = 0;  // the strength k
+  double brighten = 0;    // the strength b
 };
 
 Result<void> check_recolour(const Recolour& recolour);
@@ -25,8 +25,8 @@ Result<void> check_recolour(const Recolour& recolour);
 // The result is never outside [0, 1]: it is a mean of colours in this range.
 Linear recoloured(const Linear& colour, const Recolour& recolour);
 
-// The bytes are taken as sRGB, alpha is unchanged. The result is reproducible: float operations in
-// a fixed order and exact tables.
+// Recolours a picture. The bytes are taken as sRGB, alpha is unchanged. The result is reproducible:
+// float operations in a fixed order and exact tables.
 Result<Image<Rgba8>> recoloured(const Image<Rgba8>& picture, const Recolour& recolour);
 
 // A compromise: the rivalry that remains after recolouring, and the difference from the original
@@ -37,7 +37,8 @@ struct Compromise {
   double difference = 0;  // the mean CIEDE2000 difference from the original
 };
 
-// Measured over all pixels of both pictures, without rounding the recoloured colours to bytes.
+// Measures the compromise over all pixels of both pictures, without rounding recoloured colours to
+// bytes.
 Result<Compromise> measure_recolour(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                     const AnaglyphViewing& viewing, const Recolour& recolour);
 
@@ -49,11 +50,11 @@ struct Suggestion {
 };
 
 // Finds the strengths that reduce the mean rivalry to `target` with the least mean difference. For
-// each brightening the least desaturation that meets the target is taken, because more only
-// increases the difference. Brightenings are tried in steps of 1/32, then the step around the best
-// is halved repeatedly. Pictures of more than 4096 colours are searched by groups of similar
-// colours, 16 levels a channel; `chosen` is measured on all pixels, and made greyer until it meets
-// the target there, within 1e-6.
+// each brightening, the least desaturation that meets the target is taken, because more
+// desaturation only increases the difference. Brightenings are tried in steps of 1/32, then the
+// step around the best one is halved repeatedly. Pictures of more than 4096 colours are searched by
+// groups of similar colours, 16 levels a channel; `chosen` is measured on all pixels, and made
+// greyer until it meets the target there, within 1e-6.
 //
 // Refuses eyes of different sizes, and targets that are negative or NaN. Cost: about 0.03 s for
 // each of the `curve_points` (at least 2), and a sort of the pixels.

@@ -13,7 +13,7 @@ namespace {
 constexpr Linear kBlack{0, 0, 0};
 constexpr Linear kWhite{1, 1, 1};
 
-// Computes the ghosts of pairs of colours.
+// Computes the ghosts that pairs of colours (one in each eye's picture) produce.
 class Leak {
 public:
   explicit Leak(const AnaglyphViewing& viewing)

@@ -24,9 +24,10 @@ struct AnaglyphViewing {
 Result<AnaglyphViewing> anaglyph_viewing(AnaglyphMethod method,
                                          Glasses glasses = Glasses::kRedCyan);
 
-// Luminance rivalry |Y_L / Y_Lw - Y_R / Y_Rw| of a colour that is the same in both eyes' pictures.
-// Each eye's luminance is relative to the luminance of white through its lens (S0-14, B.6): 0 is
-// equally bright to both eyes, 1 is white to one and black to the other.
+// The luminance rivalry |Y_L / Y_Lw - Y_R / Y_Rw| of a colour that is the same in both eyes'
+// pictures. Y_L and Y_R are its luminances through the left and the right lens, Y_Lw and Y_Rw those
+// of white (S0-14, B.6): 0 means equally bright to both eyes, 1 means white to one eye and black to
+// the other.
 class Rivalry {
 public:
   explicit Rivalry(const AnaglyphViewing& viewing);
@@ -47,13 +48,13 @@ struct Ghosts {
   double left = 0, right = 0;
 };
 
-// The largest leak: the other eye's white where the own picture is black (B.6).
+// The largest ghosts: the other eye's picture is white where the own picture is black (B.6).
 Ghosts white_leak(const AnaglyphViewing& viewing);
 
 struct GhostMaps {
   Image<float> left, right;
 };
-// Refuses eyes of different sizes.
+// Computes the ghosts of every pixel. Refuses eyes of different sizes.
 Result<GhostMaps> ghost_maps(const Image<Rgba8>& left, const Image<Rgba8>& right,
                              const AnaglyphViewing& viewing);
 

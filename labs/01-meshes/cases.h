@@ -1,4 +1,5 @@
-// The inputs of lab 1's cases, shared by runner and judge.
+// The inputs of lab 1's cases: the runner passes them to the student's functions, the judge to the
+// program's own.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@ namespace lab_01 {
 
 struct TextCase {
   const char* what;
-  std::string good, bad;  // bad is empty: only the good text is read
+  std::string good, bad;  // if `bad` is empty, only the good text is read
 };
 
 inline std::vector<TextCase> texts() {
@@ -60,7 +61,8 @@ struct MeshCase {
   Mesh mesh;
 };
 
-// A mesh of the given faces. The positions are on a spiral, since only their numbers matter.
+// A mesh of the given faces. The positions are on a spiral: any will do, since only their indices
+// are tested.
 inline Mesh mesh_of(std::size_t positions, const std::vector<std::vector<std::uint32_t>>& faces) {
   Mesh mesh;
   for (std::size_t i = 0; i < positions; ++i)
@@ -107,7 +109,7 @@ inline Mesh strip(std::uint32_t length, bool half_turn) {
   return mesh_of(2 * std::size_t(length), faces);
 }
 
-// The mesh with some of its faces turned round.
+// The mesh with the corners of some of its faces in reverse order.
 inline Mesh turned(Mesh mesh, const std::vector<std::size_t>& faces) {
   for (const std::size_t f : faces) {
     const glassbox::Face& face = mesh.faces[f];
@@ -208,7 +210,7 @@ inline std::vector<MeshCase> hidden_turn_meshes() {
 }
 // END HIDDEN
 
-// Surfaces with one side, each compared with a similar one that has two.
+// A surface with one side, and a similar one that has two.
 struct SidesCase {
   const char* what;
   Mesh one_sided, two_sided;
@@ -226,8 +228,8 @@ struct PolygonCase {
   std::vector<Point<Object>> corners;
 };
 
-// Corners in a tilted plane: (x, y, x/2 + y/4), then moved. They have few binary digits, so
-// everything is exact in float.
+// Corners in a tilted plane, (x, y, x/2 + y/4), moved by `at`. The coordinates have few binary
+// digits, so everything is exact in float.
 inline std::vector<Point<Object>> tilted(const std::vector<std::pair<float, float>>& outline,
                                          const Point<Object>& at = {0, 0, 0}) {
   std::vector<Point<Object>> corners;
@@ -238,7 +240,7 @@ inline std::vector<Point<Object>> tilted(const std::vector<std::pair<float, floa
 inline std::vector<std::pair<float, float>> octagon() {
   std::vector<std::pair<float, float>> corners;
   for (int i = 0; i < 8;
-       ++i) {  // few binary digits of cosine and sine, so that no library's last bit matters
+       ++i) {  // constants, because the cosines of libraries differ in their last bits
     constexpr float kLong = 0.9238795f, kShort = 0.3826834f;
     const float x[] = {kLong, kShort, -kShort, -kLong, -kLong, -kShort, kShort, kLong};
     const float y[] = {kShort, kLong, kLong, kShort, -kShort, -kLong, -kLong, -kShort};

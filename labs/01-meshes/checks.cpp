@@ -1,4 +1,5 @@
-// The expected answers of lab 1: by the program's own reader, topology and Newell sums in double.
+// The expected answers of lab 1, computed by the program's own reader, topology and Newell sums in
+// double.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -75,8 +76,8 @@ Case expect_edges(const MeshCase& input) {
        numbers("closed", {topology.closed() ? 1.0 : 0.0})}};
 }
 
-// From a face that has a decision it passes across an edge to the neighbour, until every face has
-// one.
+// Which faces must be turned. The first face of each connected group is not turned; the decisions
+// are passed across edges to neighbouring faces until every face has one.
 std::vector<double> turns_of(const Mesh& mesh) {
   const Topology topology = find_topology(mesh);
   constexpr double kUnknown = -1;
@@ -123,12 +124,14 @@ Case expect_newell(const PolygonCase& input) {
     const Vector<Object, double> d = corners.back() - corners.front();
     longest = std::max({longest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   }
-  // In double the differences of floats and their products are exact; the sums lose only 2^-29 of
-  // the bound.
+  // In double the differences of floats and their products are exact; the rounding errors of the
+  // sums are only 2^-29 of the bound.
   const auto m = newell_vector<double>(std::span<const Point<Object, double>>(corners));
-  // Differences and sums have the size 2 L and errors of 4 u L (two roundings of the corners, one
-  // of the result). Their products have the size 4 L^2 and relative errors of 5 u. N - 1 additions
-  // follow. Together: gamma(N + 4) times the sum of the sizes.
+  // The student measures the N corners from the first one; L is the largest coordinate then,
+  // u = 2^-24 the unit roundoff. The differences and sums of two coordinates in Newell's formula
+  // are at most 2 L and have errors of 4 u L: u L from each coordinate, 2 u L from their own
+  // rounding. A product of two is at most 4 L^2, with a relative error of 2 u + 2 u + u = 5 u.
+  // N - 1 additions of N products follow, so the error is at most gamma(N + 4) times 4 N L^2.
   const int n = int(corners.size());
   const double bound = gamma<float>(n + 4) * 4 * n * longest * longest;
   return {input.what, text, {point("newell", {m.x, m.y, m.z}, bound, "object units squared")}};
@@ -136,8 +139,9 @@ Case expect_newell(const PolygonCase& input) {
 
 Case expect_angle(const AngleCase& input) {
   const double angle = glassbox::angle_between(input.a, input.b);
-  // Cross and dot product are exact or rounded once or twice; square, root, quotient and arctangent
-  // add up to 8 u in the student's way and 8 u in ours.
+  // The cross and dot products are exact or rounded once or twice. With square, root, quotient and
+  // arctangent the errors add up to 8 u (u: unit roundoff of double) in the student's angle, and to
+  // 8 u in ours.
   const double bound = 16 * unit_roundoff<double> * angle;
   return {input.what,
           fmt::format("a = ({}, {}, {}), b = ({}, {}, {})", input.a.x, input.a.y, input.a.z,

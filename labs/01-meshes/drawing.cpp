@@ -30,7 +30,8 @@ void append_tables(Numbers& out, const Mesh& mesh) {
   }
 }
 
-// Makes a mesh from numbers that may have any values: a face that names no position is left out.
+// Makes a mesh from a student's numbers, which may have any values: a face is left out if it has
+// fewer than three corners, or an index that no position has.
 Mesh tables(const Numbers& numbers) {
   Mesh mesh;
   if (numbers.empty()) return mesh;
@@ -66,7 +67,7 @@ Mesh tables(RecordReader& in) {
   return tables(numbers);
 }
 
-// Nine digits are enough to read the same floats again.
+// Writes the mesh as text. Nine digits are enough to read the same floats again.
 std::string text_of(const Mesh& mesh) {
   std::string text;
   for (const Point<Object>& p : mesh.positions)
@@ -83,8 +84,8 @@ std::string text_of(const Mesh& mesh) {
 
 // ---- the reference ----
 
-// The reference reads the same tables as text_of() wrote: it writes whole tables, and every number
-// is read back unchanged.
+// The reference for read_mesh. It reads only what text_of() wrote, so it need not handle mistakes;
+// nine digits give the same floats again.
 Numbers read(RecordReader& in) {
   std::string text;
   while (in.more()) text += char(in.integer());
@@ -126,8 +127,8 @@ Numbers edges(RecordReader& in) {
   return out;
 }
 
-// Spreads the decisions from face to face across edges. Returns nothing if two paths lead to
-// different decisions.
+// Decides which faces are turned, and passes the decisions across edges to neighbouring faces.
+// Returns nothing if two paths lead to different decisions.
 Numbers turns(RecordReader& in) {
   const Mesh mesh = tables(in);
   const Topology topology = find_topology(mesh);
@@ -220,8 +221,10 @@ std::optional<WrongNumber> judge_turns(const Numbers&, const Numbers& yours,
                        [](std::size_t i) { return fmt::format("face {}: turned", i); });
 }
 
-// The bounds: gamma(N + 4) 4 N L^2 for Newell's vector. For angles, 16 roundings of double relative
-// to the angle; and 16 more of size 1, because the products of the sides of a scene are not exact.
+// The bounds: gamma(N + 4) 4 N L^2 for Newell's vector of N corners (L: the largest coordinate
+// difference from the first corner); 16 u (1 + angle) for an angle (u: the unit roundoff of
+// double). student.h allows 16 u times the angle if the products are exact; those of a scene's
+// sides are not, which adds 16 u.
 std::optional<WrongNumber> judge_normal(const Numbers& in, const Numbers& yours,
                                         const Numbers& reference) {
   RecordReader reader(in.data(), in.size());
@@ -256,8 +259,8 @@ const std::vector<DrawnStage>& stages() {
   return all;
 }
 
-// The inputs that faces_to_turn is made for: no edge of more than two faces, no face that repeats a
-// position.
+// Whether faces_to_turn is made for the mesh: no edge of more than two faces, no face that repeats
+// a position.
 bool can_be_turned(const Mesh& mesh) {
   for (const Face& face : mesh.faces) {
     std::vector<std::uint32_t> used;
@@ -283,8 +286,8 @@ Normal<Object> unit(const glm::dvec3& v) {
   return {float(v.x / length), float(v.y / length), float(v.z / length)};
 }
 
-// Gives each face its own normal; or, for smooth surfaces, each position the sum of its faces' unit
-// normals, weighted by their angles there.
+// Gives each face its own normal or, if `smooth`, each position the sum of the unit normals of its
+// faces, each weighted by the face's angle at the position.
 void give_normals(Mesh& mesh, std::span<const Numbers> answers, bool smooth) {
   std::vector<glm::dvec3> sums(smooth ? mesh.positions.size() : 0, glm::dvec3(0));
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -320,7 +323,7 @@ Question tables_question(const Mesh& mesh) {
   return question;
 }
 
-// The mesh as the student's functions make it; `closed` becomes their answer to whether it is
+// The mesh as the student's functions make it; `closed` becomes their answer to whether the mesh is
 // closed.
 Result<Mesh> made_mesh(const Mesh& given, bool smooth, AnswerSource& answer_source, bool& closed) {
   const std::string text = text_of(given);
@@ -347,7 +350,7 @@ Result<Mesh> made_mesh(const Mesh& given, bool smooth, AnswerSource& answer_sour
 
 Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
   PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
-  // Flat shading is done by giving each face its own normal.
+  // For flat shading each face gets its own normal.
   const bool flat = input.settings.shading == Shading::kFlat;
   if (flat) made.settings.shading = Shading::kPhong;
   for (Mesh& mesh : made.scene.meshes) {

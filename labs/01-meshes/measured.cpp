@@ -1,5 +1,5 @@
-// Lab 1 in the chart of the experiment on polygon normals (D-8): the student's
-// newell_vector on bent, noisy and far polygons.
+// Measures lab 1 for the chart of the experiment on polygon normals (D-8): the errors of the
+// student's newell_vector on bent, noisy and far polygons.
 #include <cmath>
 
 #include "labs/measuring/measuring.h"
@@ -14,7 +14,7 @@ namespace lab_01_measured {
 using study::NormalCase;
 using MakeCase = NormalCase (*)(std::uint64_t seed, double parameter);
 
-constexpr int kPolygons = 500, kTimed = 4096;  // as in a quick run
+constexpr int kPolygons = 500, kTimed = 4096;  // as in a quick run of the experiment
 
 void append_polygon(Numbers& numbers, const NormalCase& of) {
   for (const Point<Object>& corner : of.corners) append_point(numbers, corner);
@@ -30,7 +30,7 @@ Result<double> rms_angle(const Ask& ask, MakeCase make, double parameter) {
   for (int i = 0; i < kPolygons; ++i) {
     const auto at = [&](int k) { return number_of(answers->front(), std::size_t(3 * i + k)); };
     const study::ExactVector normal = make(std::uint64_t(i) + 1, parameter).normal;
-    // The zero vector has no direction, so it is no normal.
+    // The error is NaN for the zero vector, which has no direction and is no normal.
     if (at(0) == 0 && at(1) == 0 && at(2) == 0) return number_of({}, 0);
     const double angle = angle_between(study::ExactVector(at(0), at(1), at(2)), normal);
     sum += angle * angle;

@@ -36,15 +36,15 @@ Mesh tables(RecordReader& in) {
   return mesh;
 }
 
-// Input: a text, one number for each character. Output: its tables.
+// Input: a text, one number for each character. Output: the mesh in it, as tables of numbers.
 void read(RecordReader& in, Numbers& out) {
   std::string text;
   while (in.more()) text += char(in.integer());
   append_tables(out, read_mesh(text));
 }
 
-// Input: tables. Output: V - E + F, whether the surface is closed, then each edge: low, high,
-// ascending, descending.
+// Input: a mesh as tables of numbers. Output: V - E + F, whether the surface is closed (1 or 0),
+// then each edge: low, high, ascending, descending.
 void edges(RecordReader& in, Numbers& out) {
   const EdgeTable found = find_edges(tables(in));
   out.insert(out.end(), {double(found.euler), found.closed ? 1.0 : 0.0});
@@ -53,7 +53,8 @@ void edges(RecordReader& in, Numbers& out) {
                            double(edge.descending)});
 }
 
-// Input: tables. Output: which faces are turned; nothing if it cannot be done.
+// Input: a mesh as tables of numbers. Output: 1 or 0 for each face, whether it is turned; nothing
+// if the faces cannot be made to agree.
 void turns(RecordReader& in, Numbers& out) {
   if (const auto found = faces_to_turn(tables(in)))
     out.insert(out.end(), found->begin(), found->end());

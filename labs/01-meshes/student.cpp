@@ -47,8 +47,8 @@ Mesh read_mesh(const std::string& text) {
 // ---- task 1.2: who is next to whom ----
 
 // BEGIN SOLUTION
-// The positions of a face, leaving out each that the next corner repeats; empty if fewer than three
-// are different.
+// The positions of a face, without each position that the next corner repeats; empty if fewer than
+// three are different.
 static std::vector<std::uint32_t> ring_of(const Mesh& mesh, const glassbox::Face& face) {
   std::vector<std::uint32_t> ring;
   for (std::uint32_t c = face.first; c < face.first + face.count; ++c) {

@@ -38,7 +38,7 @@ using glassbox::Vector;
 // face has fewer than three corners, or a position has fewer than three numbers.
 Mesh read_mesh(const std::string& text);
 
-// Two vertices, and in which directions faces pass along the edge between them.
+// An edge: two vertices, and how many faces pass along it in each direction.
 struct Edge {
   std::uint32_t low = 0, high = 0;  // positions, low < high
   int ascending = 0;                // faces that pass from low to high

@@ -1,4 +1,5 @@
-// The inputs of lab 2's cases, shared by runner and judge.
+// The inputs of lab 2's cases: the runner passes them to the student's functions, the judge to the
+// pipeline's.
 #pragma once
 
 #include <cstdint>
@@ -167,7 +168,8 @@ struct RotationCase {
   double w, x, y, z;
 };
 
-// The rotation of the quaternion (w; x, y, z) of integers: each entry needs only one division.
+// The rotation of the quaternion (w; x, y, z), whose components are integers: each entry is a
+// quotient of integers, which needs only one rounding.
 inline Transform<World, World> rotation_of(const RotationCase& q) {
   const double n = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
   const double v[3] = {q.x, q.y, q.z};
@@ -224,7 +226,7 @@ struct DriftCase {
 };
 
 // The rotation after `steps` multiplications by a small rotation in float, as for a spinning
-// object; it has drifted (C-11).
+// object; rounding errors have made it drift away from a rotation (C-11).
 inline Transform<World, World> drifted(int steps) {
   const auto step = round_to_float(rotation_of({"", 150, 1, -0.5, 0.25}));
   auto m = step;
@@ -232,7 +234,7 @@ inline Transform<World, World> drifted(int steps) {
   return Transform<World, World>(glm::dmat4(m.columns));
 }
 
-// The rotation with each entry changed by up to `size`, alternately up and down.
+// The rotation with each entry changed by up to `size`, alternately increased and decreased.
 inline Transform<World, World> disturbed(const RotationCase& q, double size) {
   Transform<World, World> m = rotation_of(q);
   for (int i = 0; i < 3; ++i) {

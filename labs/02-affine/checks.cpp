@@ -1,5 +1,5 @@
-// The expected answers of lab 2: by the pipeline's own maps, by integers, and by the properties of
-// a rotation.
+// The expected answers of lab 2, computed by the pipeline's own maps or in integers. A repaired
+// rotation is judged by the properties of a rotation.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,13 +23,13 @@ using namespace lab_02;
 using Map = Transform<World, World>;
 
 constexpr double u = unit_roundoff<double>;
-// An angle in degrees that is taken for radians is 57.3 times as large, and its rounding error is
-// too.
+// The factor by which the error bound grows for the mistake of taking degrees for radians: the
+// angle is then 57.3 times as large, and so is its rounding error.
 constexpr double kSlippedBound = 64;
 
 // ---- about a point ----
 
-// The matrix of the plane for a map of the plane z = 0.
+// The 3 x 3 matrix of a map of the plane, taken from the 4 x 4 matrix that does the same in z = 0.
 std::vector<double> entries_of_plane(const Map& m) {
   std::vector<double> all;
   for (const int i : {0, 1, 3}) {
@@ -42,13 +42,14 @@ Map turn_degrees(const Vector<World, double>& axis, double degrees) {
   return rotate_degrees<World>(axis, degrees).value_or(Map{});
 }
 
-// The pipeline's double is exact enough here, as its angles in degrees are not rounded.
+// The expected matrix is computed by the pipeline. Double is exact enough for it, because the
+// pipeline takes the angle in degrees, in which it is not rounded.
 Case expect_turn(const TurnCase& input) {
   const Vector<World, double> to(input.centre.x, input.centre.y, 0);
   const Vector<World, double> z_axis(0, 0, 1);
-  // The angle in radians is off by 1.5 u of up to 2 pi; sine and cosine are off by that and by
-  // their own u: 12 u together. Two products, two sums and the share of the other matrices double
-  // it.
+  // The student's error, with u the unit roundoff: the angle in radians, up to 2 pi, has a relative
+  // error of 1.5 u. Sine and cosine have the error of the angle and one u of their own, at most
+  // 12 u together. The products and sums with the two translations at most double it.
   const double bound = 24 * u * (1 + std::abs(to.x) + std::abs(to.y));
   const auto expected = [&](const Map& m, double scale) {
     return std::vector{matrix("matrix", 3, entries_of_plane(m), scale * bound)};
@@ -74,7 +75,7 @@ Case expect_turn(const TurnCase& input) {
 
 enum class Slip { kNone, kRadians, kClockwise, kHalfAngle, kBackwards, kAnyLength };
 
-// Rodrigues' formula with an axis of any length, which is not made 1.
+// Rodrigues' formula without making the axis 1 long first: a typical mistake.
 Map turn_about_any_length(const Vector<World, double>& axis, double degrees) {
   const double a[3] = {axis.x, axis.y, axis.z};
   const double angle = radians_from_degrees(degrees), c = std::cos(angle), s = std::sin(angle);
@@ -141,9 +142,10 @@ Case expect_composition(const ComposeCase& input) {
     norms *= norm(m);
     text += (text.empty() ? "" : ", then ") + step_text(step);
   }
-  // A row of a rotation is off by 3 entries of 16 u each (angle 10 u, sine, cosine, axis and two
-  // operations), and a product adds gamma(4): less than 64 u of the norms for each step, including
-  // 8 u of the pipeline itself.
+  // u is the unit roundoff. The entries of a rotation are off by 16 u (10 u from the angle; the
+  // rest from sine, cosine, axis and two operations), which is 48 u for a row of three. A product
+  // of matrices adds gamma(4), about 4 u, and the pipeline itself has 8 u. Together this is less
+  // than 64 u for each step, relative to the product of the norms.
   const double bound = 64 * double(input.steps.size()) * u * norms;
   const auto expected = [&](const Map& m, double scale) {
     return std::vector{matrix("world_from_object", 4, entries(m), scale * bound)};
@@ -176,12 +178,12 @@ std::string triangle_text(const std::array<Point2, 3>& p) {
                      p[2].y);
 }
 
-// An integer of more than 64 bits, which ISO C++ does not have.
+// An integer type of 128 bits, which ISO C++ does not have.
 __extension__ using Wide = __int128;
 
-// Computed in integers: the linear part is num / det and the last column (target det - num
-// source) / det, so only the divisions round. Sizes stay below 2^21 for differences, 2^43 for num
-// and det, 2^65 for the last column.
+// Computed in integers, where the linear part is num / det and the last column (target det - num
+// source) / det, so that only the divisions round. Sizes stay below 2^21 for differences of
+// coordinates, 2^43 for num and det, 2^65 for the last column.
 Case expect_fit(const FitCase& input) {
   const auto& s = input.source;
   const auto& t = input.target;
@@ -204,8 +206,10 @@ Case expect_fit(const FitCase& input) {
   const double size = std::max(std::abs(ex) + std::abs(ey), std::abs(fx) + std::abs(fy));
   const double inverse = std::max(std::abs(fy) + std::abs(ey), std::abs(fx) + std::abs(ex));
   const double condition = size * inverse / std::abs(det);
-  // G E^-1 by cofactors: gamma(3) |G| |E^-1| <= 6 u c A for the numerators, 2 u c A for the
-  // determinant, 2 u for the rest.
+  // The linear part is G E^-1, where the columns of E and G are the edge vectors of the source and
+  // the target. With c = `condition` and A = `largest`, |G| |E^-1| <= 2 c A. So the product has an
+  // error of gamma(3) |G| |E^-1|, about 6 u c A (u: the unit roundoff); the determinant adds
+  // 2 u c A, the other roundings 2 u A. Since c >= 1, 16 u c A is more than the sum.
   const double bound = 16 * condition * u * largest;
   const double last_bound = bound * (1 + std::abs(s[0].x) + std::abs(s[0].y)) +
                             4 * u * std::max(std::abs(from[0]), std::abs(from[1]));
@@ -216,7 +220,8 @@ Case expect_fit(const FitCase& input) {
   std::vector<double> backwards = map;
   backwards[2] = -map[2];
   backwards[5] = -map[5];
-  // The map with the slip: E^-1 G, and the last column that belongs to it.
+  // The map with the typical mistake E^-1 G instead of G E^-1 (E, G: the edge vectors of source and
+  // target as columns), and the last column that belongs to it.
   std::vector<double> other{(fy * g[0] - fx * g[1]) / det,
                             (fy * h[0] - fx * h[1]) / det,
                             0,
@@ -258,10 +263,11 @@ Case expect_axis(const RotationCase& q) {
   if (q.w == 0 && *first < 0) {
     for (double& each : axis) each = -each;
   }
-  // The entries of R are off by u of their size. Up to a right angle the entries of R - R^T are as
-  // small as the angle; beyond it the longest column of (R + R^T)/2 - cos I has a length of at
-  // least 1/3. In both cases the axis is off by a few u; sine and cosine are off by a few u, and so
-  // is the angle. The bound is twice 16 u, for the two ways of computing.
+  // The entries of R have relative errors of u (the unit roundoff). Up to a right angle the axis
+  // comes from R - R^T, whose entries are as small as the angle; beyond it from the longest column
+  // of (R + R^T)/2 - cos I, whose length is at least 1/3. In both cases the axis is off by a few u,
+  // and so are sine, cosine and the angle: by 16 u at most. The bound is twice that, for the errors
+  // of the student's answer and of ours.
   const double axis_bound = 32 * u, angle_bound = 32 * u * angle;
   const Expected the_axis = point("axis", axis, axis_bound);
   const Expected the_angle = numbers("angle", {angle}, angle_bound, "radian");
@@ -273,7 +279,8 @@ Case expect_axis(const RotationCase& q) {
              fmt::format("the quaternion ({}; {}, {}, {}) scaled to length 1", q.w, q.x, q.y, q.z),
          .expected = {the_axis, the_angle},
          .slipped = {{"row-column-order", {opposite, the_angle}}}};
-  // With the slip the axis has the length of (R - R^T)/2, which is the sine.
+  // The mistake of not normalising the axis: it comes from (R - R^T)/2 and has the angle's sine as
+  // its length.
   if (sine > 0 && q.w != 0) c.slipped.push_back({"not-normalised", {as_it_is, the_angle}});
   return c;
 }
@@ -293,8 +300,9 @@ std::optional<Divergence> judge_rotation(const Map& given, const Answer& answer)
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) after[j][i] = (*values)[std::size_t(4 * i + j)];
   }
-  // Columns made of length 1 are off by 3 u in each component, which is 6 u in a product of two;
-  // their sum rounds three times more: 9 u and terms of second order.
+  // The matrix R is repaired, `after`, by making its columns 1 long. Their components are then off
+  // by 3 u (the unit roundoff), so an entry of R^T R is off by 6 u from its factors and by 3 u from
+  // the rounding of its sum: 9 u and terms of second order, which is less than 16 u.
   const double drift = orthogonality_error(before), error = orthogonality_error(after);
   found.actual = found.distance = error;
   found.bound = 16 * u;

@@ -19,7 +19,7 @@ namespace lab_02_drawing {
 constexpr double u = unit_roundoff<double>;
 using Map = Transform<World, Object>;
 
-// lab_02::Step::Kind
+// The values of lab_02::Step::Kind.
 constexpr double kTranslate = 0, kRotate = 1, kScale = 2, kShear = 3;
 constexpr std::size_t kStepNumbers = 7;  // kind, v, amount, changed, by
 
@@ -123,8 +123,8 @@ std::optional<WrongNumber> judge_repaired(const Numbers& in, const Numbers& your
   return first_wrong_entry(yours, in, 3 * drift + 16 * u, "");
 }
 
-// The bounds: the matrix is a rotation up to some u; the angle is off by as much, and the axis by
-// as much divided by the angle's sine.
+// The bounds: the matrix is a rotation up to some u (the unit roundoff), so the angle is off by at
+// most 64 u max(1, angle), and the axis by 64 u / min(1, angle).
 std::optional<WrongNumber> judge_axis(const Numbers&, const Numbers& yours,
                                       const Numbers& reference) {
   constexpr double kHalfTurn = 3.14159265358979323846;
@@ -133,7 +133,7 @@ std::optional<WrongNumber> judge_axis(const Numbers&, const Numbers& yours,
   const bool any_axis = angle <= 1e-12;
   const double axis_bound = any_axis ? 2 : 64 * u / std::min(1.0, angle);
   Numbers turned = yours;
-  if (kHalfTurn - angle < 1e-6 && turned.size() == 4) {  // both directions are right
+  if (kHalfTurn - angle < 1e-6 && turned.size() == 4) {  // either direction is right
     const double along =
         turned[0] * reference[0] + turned[1] * reference[1] + turned[2] * reference[2];
     for (std::size_t k = 0; k < 3; ++k) turned[k] = along < 0 ? -turned[k] : turned[k];
@@ -145,7 +145,8 @@ std::optional<WrongNumber> judge_axis(const Numbers&, const Numbers& yours,
       });
 }
 
-// The bound: 64 k u times the product of the steps' norms; the reference's error is as large.
+// The bound: 64 k u times the product of the norms of the k steps (u: the unit roundoff), and as
+// much again for the reference's error.
 std::optional<WrongNumber> judge_composed(const Numbers& in, const Numbers& yours,
                                           const Numbers& reference) {
   double product = 1;

@@ -1,5 +1,5 @@
-// Lab 2 in the chart of the experiment on ways to keep a rotation (D-13): a rotation is turned in
-// small steps in double, and the student's function repairs it.
+// Measures lab 2 for the chart of the experiment on methods that keep a matrix a rotation (D-13): a
+// rotation is turned in small steps in double, and the student's function repairs it.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@ Numbers question(int steps, int every) {
   return numbers;
 }
 
-// The distance of a matrix from the rotation after this many steps. The product in double, with
-// which it is compared, drifts by only about 1e-11.
+// The distance of a matrix from the rotation after this many steps. That rotation is a product in
+// double, which drifts by only about 1e-11.
 double distance_from_rotation(const study::RotationMatrix<double>& m, int steps) {
   const auto step = study::step_matrix<double>();
   study::RotationMatrix<double> turned{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -32,9 +32,9 @@ double distance_from_rotation(const study::RotationMatrix<double>& m, int steps)
   return study::frobenius(turned);
 }
 
-// The largest defect of all matrices that were looked at. NaN if a matrix is not a number, or if
-// the last one is more than 0.5 away from the rotation: a repair that undoes the steps would
-// otherwise have no defect.
+// The largest defect of all matrices in the answer, that is, how far they are from a rotation. NaN
+// if an entry is not a number, or if the last matrix is more than 0.5 away from the product of all
+// steps: otherwise a repair that undoes the steps would have no defect.
 Result<double> largest_defect(const Ask& ask, int steps, int every) {
   const auto answers = ask({question(steps, every)});
   if (!answers) return tl::unexpected(answers.error());

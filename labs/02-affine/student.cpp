@@ -81,7 +81,7 @@ std::optional<Matrix3> fit_affine(const std::array<Point2, 3>& source,
   const Point2 h{target[2].x - target[0].x, target[2].y - target[0].y};
   const double det = e.x * f.y - f.x * e.y;
   if (det == 0) return std::nullopt;
-  // The linear part of the map: [g h] [e f]^-1.
+  // The linear part of the map is [g h] [e f]^-1, with e, f and g, h as the columns.
   const double a = (g.x * f.y - h.x * e.y) / det, b = (h.x * e.x - g.x * f.x) / det;
   const double c = (g.y * f.y - h.y * e.y) / det, d = (h.y * e.x - g.y * f.x) / det;
   const Point2 p = source[0];
@@ -107,8 +107,8 @@ AxisAngle axis_angle_of(const Transform<World, World>& rotation) {
     if (sine > 0) found.axis = across * (1 / sine);
     return found;
   }
-  // (R + R^T)/2 - cos I = (1 - cos) a a^T. Its longest column, the most exact one, is that with the
-  // largest diagonal entry.
+  // With the axis a, (R + R^T)/2 - cos I = (1 - cos) a a^T. The longest column of this matrix,
+  // which gives the most exact axis, is that with the largest diagonal entry.
   int column = 0;
   for (int i = 1; i < 3; ++i) {
     if (r.at(i, i) > r.at(column, column)) column = i;

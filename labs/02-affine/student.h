@@ -35,11 +35,13 @@ Matrix3 turn_about(const Point2& centre, double degrees);
 
 struct Step {
   enum class Kind {
-    kTranslate,  // by v
-    // about the axis v (of any length but 0) through the origin, by `amount` degrees, -360 to 360
+    kTranslate,  // moves by v
+    // turns about the axis v (of any length but 0) through the origin, by `amount` degrees, -360 to
+    // 360
     kRotate,
-    kScale,  // x, y and z by the components of v
-    // adds amount * (coordinate `by`) to coordinate `changed`; 0, 1, 2 are x, y, z, and they differ
+    kScale,  // multiplies x, y and z by the components of v
+    // adds amount * (coordinate `by`) to coordinate `changed`; 0, 1, 2 are x, y, z; `by` and
+    // `changed` differ
     kShear
   };
   Kind kind = Kind::kTranslate;
@@ -53,15 +55,15 @@ struct Step {
 // steps' norms. The norm of a matrix here is the largest sum of the sizes of a row's entries.
 Transform<World, Object> compose(const std::vector<Step>& steps);
 
-// Task 2.3. The affine map of the plane that carries source[i] to target[i]; std::nullopt if the
+// Task 2.3. The affine map of the plane that maps source[i] to target[i]; std::nullopt if the
 // three source points are on one line. Coordinates are integers up to 2^20 in size, so that their
-// differences, and sums of two products of those, are exact.
+// differences, and sums of two products of differences, are exact.
 // Error bound of the upper left 2 x 2 part: 16 c u A, where A is its largest entry in size,
 // c = |E| |E^-1| the condition number of E, E the matrix whose columns are source[1] - source[0]
 // and source[2] - source[0], and |.| of a matrix the largest sum of the sizes of a column's
-// entries. It does not depend on how far from the origin the points are. Error bound of the last
-// column: that bound times (1 + |x| + |y|) of source[0], plus 4 u times the largest |coordinate| of
-// target[0].
+// entries. The bound does not depend on how far from the origin the points are. Error bound of the
+// last column: the bound of the 2 x 2 part times (1 + |x| + |y|) of source[0], plus 4 u times the
+// largest |coordinate| of target[0].
 std::optional<Matrix3> fit_affine(const std::array<Point2, 3>& source,
                                   const std::array<Point2, 3>& target);
 
@@ -70,19 +72,19 @@ struct AxisAngle {
   double radians = 0;                   // 0 to pi
 };
 
-// Task 2.4. The axis and the angle of a rotation whose entries are correct up to one rounding. The
-// identity has the z axis. At exactly half a turn, where the matrix is symmetric and both
+// Task 2.4. The axis and the angle of a rotation whose entries are correct up to one rounding. For
+// the identity the axis is z. At exactly half a turn, where the matrix is symmetric and both
 // directions of the axis are right, choose the one whose first component that is not zero is
 // positive.
 // Error bound of the axis: 32 u in each component. The relative error of the angle is at most 32 u,
 // for angles as small as 10^-6 too.
 AxisAngle axis_angle_of(const Transform<World, World>& rotation);
 
-// Task 2.5. A rotation near a matrix that should be one, but has drifted away by rounding or was
-// written with few digits. The given matrix R has a positive determinant, and every entry of
-// R^T R - I is at most d = 0.01 in size. The result has a positive determinant, its same entries
-// are at most 16 u in size, and each of its entries is at most 3 d + 16 u away from that of R. The
-// last column and row are those of the identity, in R and in the result.
+// Task 2.5. A rotation Q near a matrix R that should be a rotation, but has drifted away by
+// rounding or was written with few digits. R has a positive determinant, and every entry of
+// R^T R - I is at most d = 0.01 in size. Q must have a positive determinant, the entries of
+// Q^T Q - I must be at most 16 u in size, and each entry of Q may differ by at most 3 d + 16 u from
+// that of R. The last column and row are those of the identity, in R and in Q.
 Transform<World, World> repaired(const Transform<World, World>& almost_rotation);
 
 }  // namespace lab_02

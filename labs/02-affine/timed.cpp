@@ -10,7 +10,7 @@ using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 using Rotation = std::array<std::array<double, 3>, 3>;
 
-// The product of the steps so far, repaired after every so many of them.
+// The product of the steps so far, which is repaired after every `every` steps.
 class Turning {
 public:
   Turning(const Rotation& step, int every) : step_(step), every_(every) {}
@@ -61,7 +61,8 @@ ParsedQuestion read(RecordReader& in) {
   return asked;
 }
 
-// Writes the matrix at a thousand moments on the way, and just before repairs.
+// Writes the matrix at about a thousand moments on the way, each just before a repair, when it has
+// drifted most, and at the end.
 void answer(RecordReader& in, Numbers& out) {
   const ParsedQuestion asked = read(in);
   Turning turning(asked.step, asked.every);

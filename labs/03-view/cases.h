@@ -1,4 +1,5 @@
-// The inputs of lab 3's cases, shared by runner and judge.
+// The inputs of lab 3's cases: the runner passes them to the student's functions, the judge to the
+// pipeline's.
 #pragma once
 
 #include <limits>
@@ -45,8 +46,8 @@ inline std::vector<CameraCase> hidden_cameras() {
           for (double& each : v) each = random.between(-10, 10);
           const Camera camera{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
           const auto gaze = camera.target - camera.eye, across = cross(camera.up, gaze);
-          // Accepts only directions that are neither short nor within a tenth of a radian of each
-          // other.
+          // Accepts a camera only if its gaze is longer than 1, and `up` is at least a tenth of a
+          // radian away from the gaze and from its opposite.
           if (dot(across, across) > 0.01 * dot(gaze, gaze) * dot(camera.up, camera.up) &&
               dot(gaze, gaze) > 1)
             return CameraCase{"anywhere", camera};
@@ -194,12 +195,13 @@ inline std::vector<KindCase> hidden_kinds() {
 
 // ---- projections of a left-handed eye (task 3.5) ----
 
-// Near plane d, far plane f, and half the window's height h on the near plane.
+// A projection by the distance d of the near plane, the distance f of the far plane, and half the
+// height h of the window on the near plane.
 struct HandCase {
   double d, f, h;
 };
 
-// The slides' T_pers (S4.18 to S4.20).
+// The perspective projection T_pers of the slides (S4.18 to S4.20), for a left-handed eye space.
 inline Transform<Clip, Eye> watt_projection(const HandCase& p) {
   Transform<Clip, Eye> m;
   m.at(0, 0) = m.at(1, 1) = p.d / p.h;

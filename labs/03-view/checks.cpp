@@ -1,5 +1,5 @@
-// The expected answers of lab 3: by the pipeline's own view matrices, and by the properties of a
-// rotation.
+// The expected answers of lab 3, computed by the pipeline's own view matrices; some answers are
+// judged by the properties of a rotation.
 #include <algorithm>
 #include <cmath>
 
@@ -57,14 +57,15 @@ Case expect_view(const CameraCase& input, const Bounds& bounds) {
          fmt::format("{}; the target comes to (0, 0, {:.9g}) in eye space", camera_text(camera),
                      -length(camera.target - camera.eye)),
          view_fields(view, bounds)};
-  // With the slip the gaze is along +z: with N = +gaze, or with the slide's rotation (E7), the
-  // matrix is half a turn about V away.
+  // The mistake of looking along +z, with N = +gaze or with the slide's rotation (erratum E7): the
+  // matrix is the right one after half a turn about V.
   Transform<Eye, World> backwards = view, columns = view;
   for (int j = 0; j < 4; ++j) {
     backwards.at(0, j) = -backwards.at(0, j);
     backwards.at(2, j) = -backwards.at(2, j);
   }
-  // With U, V, N as the columns, and with either translation.
+  // The mistake of writing U, V, N as the columns, with the right translation or with the one that
+  // follows from these columns.
   const Direction t{view.at(0, 3), view.at(1, 3), view.at(2, 3)};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) columns.at(i, j) = view.at(j, i);
@@ -78,9 +79,10 @@ Case expect_view(const CameraCase& input, const Bounds& bounds) {
   columns_times_eye.at(0, 3) = moved.x;
   columns_times_eye.at(1, 3) = moved.y;
   columns_times_eye.at(2, 3) = moved.z;
-  // With U = N x up in the wrong order, V = N x U changes its sign too.
+  // If U is N x up instead of up x N, V = N x U has the wrong sign, too.
   Transform<Eye, World> exchanged = view, forward = view, long_u = view, long_n = view;
-  // The lengths of U and V, or of V and N, where the slip leaves them unnormalised.
+  // The lengths of vectors that are not normalised by mistake: `u_length` for U and V, `n` for V
+  // and N.
   const Direction gaze = camera.target - camera.eye;
   const double n = length(gaze), u_length = length(camera.up) * sine_between(camera.up, gaze);
   for (int j = 0; j < 4; ++j) {
@@ -105,17 +107,19 @@ Case expect_view(const CameraCase& input, const Bounds& bounds) {
   return c;
 }
 
-// The bound of -U.e that follows from the bound of the axes: three products with the eye's
-// coordinates, and their own roundings.
+// The bound of -U.e (e: the position of the eye) that follows from the bound of the axes: it covers
+// three products with the eye's coordinates, and their own roundings.
 double with_eye(double bound, const Camera& camera) {
   const double largest =
       std::max({std::abs(camera.eye.x), std::abs(camera.eye.y), std::abs(camera.eye.z)});
   return bound * (1 + 2 * largest);
 }
 
-// The error of N is at most 4 u, that of up x N, whose length is s, at most 10 u; so U has
-// 10 u / s, and V has that and the error of a product. The pipeline's own axes are within (8 + 4/s)
-// u. Three products with a unit vector sum up to at most sqrt(3) of the largest coordinate.
+// With u the unit roundoff, the error of N is at most 4 u, and that of up x N, whose length is s,
+// at most 10 u. So the error of U is 10 u / s, and that of V = N x U is larger by that of a
+// product. The pipeline's own axes are within (8 + 4/s) u. Together this is less than
+// 32 u (1 + 1/s). The three products of U.e (e: the position of the eye) sum up to at most sqrt(3)
+// times the largest coordinate, since U has length 1.
 Case expect_uvn(const CameraCase& input) {
   const Camera& camera = input.camera;
   const double s = sine_between(camera.up, camera.target - camera.eye);
@@ -123,9 +127,10 @@ Case expect_uvn(const CameraCase& input) {
   return expect_view(input, {bound, with_eye(bound, camera)});
 }
 
-// The axis of the first rotation is a cross product of length g, with the error 10 u / g. Where the
-// angle is small the axis is multiplied by the angle's sine, which cancels this; near half a turn
-// it does not. The second rotation adds the error from `up`: 10 u / s.
+// u is the unit roundoff; s and g are the sines of the angles from the gaze to `up` and to z. The
+// axis of the first rotation is a cross product of length g, with the error 10 u / g. For a small
+// angle the axis is multiplied by the angle's sine, which cancels the 1/g; near half a turn (the
+// gaze along +z) nothing does. The second rotation adds the error from `up`: 10 u / s.
 Case expect_axis_angle(const CameraCase& input) {
   const Camera& camera = input.camera;
   const Direction gaze = camera.target - camera.eye;
@@ -152,8 +157,9 @@ std::string onto_text(const OntoCase& input) {
   return fmt::format("from ({}, {}, {}) to ({}, {}, {})", from.x, from.y, from.z, to.x, to.y, to.z);
 }
 
-// The formula: R = cos I + [v]x + v v^T / (1 + cos) with v = f x t; beyond a right angle 1 + cos is
-// computed as |v|^2 / (1 - cos).
+// With the unit vectors f and t of the two directions, v = f x t, cos = f.t, and [v]x the matrix of
+// the cross product with v, the rotation is R = cos I + [v]x + v v^T / (1 + cos). Beyond a right
+// angle 1 + cos is computed as |v|^2 / (1 - cos), where no digits cancel.
 Case expect_onto(const OntoCase& input) {
   using Long = Vector<World, long double>;
   const auto unit = [](const Direction& d) {
@@ -171,20 +177,21 @@ Case expect_onto(const OntoCase& input) {
     rotation[3 * i + j] = double(v[i] * v[j] * factor - v[k]);
     rotation[3 * j + i] = double(v[i] * v[j] * factor + v[k]);
   }
-  // The error of the axis is 10 u / s, whether it is multiplied by the sine or not.
+  // The error of the axis is 10 u / sine (u: the unit roundoff). Up to a right angle the axis is
+  // multiplied by the sine, so the bound has no 1 / sine.
   const double sine = double(std::sqrt(square));
   const double bound = cosine >= 0 ? 64 * u : 32 * u * (1 + 1 / sine);
   const double angle = std::atan2(sine, double(cosine));
   Case c{input.what,
          fmt::format("{}, an angle of {:.9g} radians", onto_text(input), angle),
          {matrix("rotation", 3, rotation, bound)}};
-  // The slip of half or twice the angle is made here, because the matrix of a small rotation does
-  // not show it by itself.
+  // The mistake of half or twice the angle is an entry of this case, because slips.h cannot
+  // recognise it in the matrix of a small rotation.
   const Direction axis(double(across.x), double(across.y), double(across.z));
   for (const double factor : {0.5, 2.0}) {
     const auto slipped = rotate_degrees<World>(axis, factor * degrees_from_radians(angle));
     if (!slipped) continue;
-    // Twice the angle has twice the error.
+    // The bound is doubled, because twice the angle has twice the error.
     c.slipped.push_back(
         {"half-angle", {matrix("rotation", 3, entries(*slipped, 3, 3), 2 * bound)}});
   }
@@ -204,8 +211,9 @@ std::optional<Divergence> judge_half_turn(const OntoCase& input, const Answer& a
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) m[j][i] = (*values)[std::size_t(3 * i + j)];
   }
-  // An axis with errors of 4 u gives products of rows within 8 u, and sums of three that round; the
-  // same holds for the image of `from`.
+  // The bound, with u the unit roundoff: if the axis has errors of 4 u, products of two rows have
+  // errors of 8 u, and their sums of three terms round, too. The same holds for the image of
+  // `from`.
   found.bound = 16 * u;
   found.element = "largest entry of |R^T R - I|";
   found.actual = found.distance = orthogonality_error(m);

@@ -74,8 +74,9 @@ Numbers kind(RecordReader& in) {
 
 // ---- judgement ----
 
-// The bounds of student.h: 32 u (1 + 1/s), or 64 u (1 + 1/s + 1/g), and in the last column that
-// times (1 + 2 D); the reference's error is as large.
+// The bounds of student.h, where s, g and D are explained: 32 u (1 + 1/s), or for two rotations
+// 64 u (1 + 1/s + 1/g); in the last column they are multiplied by (1 + 2 D). They are doubled,
+// because the reference's error is as large as the student's may be.
 std::optional<WrongNumber> judge_view(const Numbers& in, const Numbers& yours,
                                       const Numbers& reference) {
   const ParsedQuestion asked(in);
@@ -107,7 +108,7 @@ std::optional<WrongNumber> judge_kind(const Numbers&, const Numbers& yours,
 
 // ---- in the pipeline ----
 
-// The largest entry of R^T R - I in size.
+// The largest entry of R^T R - I in size, where R is the upper left 3 x 3 part of the matrix.
 double from_rigid(const Transform<World, World>& m) {
   double most = 0;
   for (int i = 0; i < 3; ++i) {
@@ -164,7 +165,8 @@ Question camera_question(const DrawingInput& input) {
 
 Result<std::map<std::uint32_t, bool>> ask_for_kinds(const Scene& scene,
                                                     AnswerSource& answer_source) {
-  // Matrices whose size is in the range that the contract leaves open are not asked about.
+  // No question is asked about a matrix that is further from a rotation or mirror than this: the
+  // contract of kind_of leaves the range from 10^-6 to 10^-4 open.
   constexpr double kRigid = 1e-6;
   std::vector<Question> questions;
   std::vector<std::uint32_t> instances;
@@ -183,7 +185,8 @@ Result<std::map<std::uint32_t, bool>> ask_for_kinds(const Scene& scene,
   return mirrored;
 }
 
-// Asks for a matrix with one record. Without a valid answer the matrix becomes 0.
+// Asks the student's functions one question, whose answer is a matrix. Without a valid answer the
+// matrix becomes 0.
 template <class M>
 Result<void> ask_for_matrix(const DrawnStage& stage, Question question, AnswerSource& answer_source,
                             M& matrix) {

@@ -1,5 +1,6 @@
-// Lab 3 in the chart of the experiment on one or two matrices for view and projection (D-7):
-// vertices in front of a camera far from the origin, by the student's view matrices, in double.
+// Measures lab 3 for the chart of the experiment on one or two matrices for view and projection
+// (D-7): vertices in front of a camera far from the origin are transformed by the student's view
+// matrices, in double.
 #include "labs/measuring/field_errors.h"
 #include "study/experiments/d07_field.h"
 
@@ -9,7 +10,7 @@ namespace lab_03_measured {
 
 using namespace study::d07;
 
-constexpr int kTimed = 1 << 9;  // as in a quick run
+constexpr int kTimed = 1 << 9;  // as in a quick run of the experiment
 
 // The camera's eye, the point it looks at and its up direction, made from the rows of its rotation.
 Numbers question(bool by_rotations, const Field& field, Depth depth) {

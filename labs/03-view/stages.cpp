@@ -9,8 +9,8 @@ using glassbox::labs::append_matrix;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// Input: 0 for U, V, N or 1 for two rotations; eye, target and up. Output: the view matrix; nothing
-// where there is none.
+// Input: 0 for the matrix from the axes U, V, N, or 1 for the one from two rotations; eye, target
+// and up. Output: the view matrix; nothing if there is none.
 void view(RecordReader& in, Numbers& out) {
   const bool by_rotations = in.number() != 0;
   Camera camera;
@@ -21,12 +21,12 @@ void view(RecordReader& in, Numbers& out) {
   if (const auto made = uvn_view(camera)) append_matrix(out, *made);
 }
 
-// Input: a projection for a left-handed eye space. Output: the same for ours.
+// Input: a projection for a left-handed eye space. Output: the projection for our eye space.
 void hand(RecordReader& in, Numbers& out) {
   append_matrix(out, for_right_handed_eye(in.matrix<Transform<Clip, Eye>>()));
 }
 
-// Input: a model matrix. Output: its kind.
+// Input: a model matrix. Output: its kind (rotation, mirror or neither).
 void kind(RecordReader& in, Numbers& out) {
   out.push_back(double(kind_of(in.matrix<Transform<World, World>>())));
 }

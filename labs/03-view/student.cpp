@@ -64,8 +64,8 @@ Transform<World, World> rotation_onto(const Vector<World, double>& from,
   if (sine > 0) {
     axis = axis * (1 / sine);
   } else {
-    // To get a vector perpendicular to f: the cross product of f with the coordinate axis that is
-    // furthest from its direction.
+    // A vector perpendicular to f is the cross product of f with the coordinate axis that is
+    // furthest from the direction of f.
     const double x = std::abs(f.x), y = std::abs(f.y), z = std::abs(f.z);
     const Direction far = x <= y && x <= z ? Direction{1, 0, 0}
                           : y <= z         ? Direction{0, 1, 0}
@@ -95,7 +95,7 @@ Transform<Eye, World> axis_angle_view(const Camera& camera) {
   const Direction ahead{0, 0, -1};
   const Transform<World, World> turn = rotation_onto(gaze, ahead);
   const Direction up = turn * camera.up;
-  // Turn about z, until `up` has no x and a positive y.
+  // The second rotation is about z, by the angle that makes the x of `up` 0 and its y positive.
   const double across = std::sqrt(up.x * up.x + up.y * up.y);
   const double c = up.y / across, s = up.x / across;
   const auto row = [&](int i) { return Direction{turn.at(i, 0), turn.at(i, 1), turn.at(i, 2)}; };

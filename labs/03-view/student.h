@@ -32,8 +32,8 @@ struct Camera {
 // between them is below 2^-20), or a number is infinite or NaN. Lengths are between 10^-100 and
 // 10^100.
 // Error bound of each entry of the rotation: 32 u (1 + 1/s), where s is the sine of the angle
-// between `up` and the gaze. Error bound of the last column: that times (1 + 2 D), where D is the
-// largest coordinate of the eye in size.
+// between `up` and the gaze. Error bound of the last column: the bound of the rotation times
+// (1 + 2 D), where D is the largest coordinate of the eye in size.
 std::optional<Transform<Eye, World>> uvn_view(const Camera& camera);
 
 // Task 3.2. The rotation by the smallest angle that turns the direction `from` into the direction
@@ -41,18 +41,19 @@ std::optional<Transform<Eye, World>> uvn_view(const Camera& camera);
 // identity. If they are opposite, it is half a turn about any axis perpendicular to them (then
 // their lengths are equal, or both are along x, y or z, so that the cross product is exactly zero).
 // Error bound of each entry: 64 u up to a right angle, 32 u (1 + 1/s) beyond it, where s is the
-// sine of the angle. For half a turn instead: entries of R^T R - I up to 16 u, and R from / |from|
-// as near to to / |to|.
+// sine of the angle. For half a turn instead: the entries of R^T R - I are up to 16 u, and R maps
+// from / |from| to within 16 u of to / |to|.
 Transform<World, World> rotation_onto(const Vector<World, double>& from,
                                       const Vector<World, double>& to);
 
 // Task 3.3. The same matrix as that of uvn_view, by two rotations: first the gaze onto -z by the
 // smallest angle, then about z until `up` is in the upper half of the yz plane. The camera is one
 // that has a view matrix. A gaze along +z must work too.
-// Error bound of each entry of the rotation: 64 u (1 + 1/s + 1/g), where s is as above and g is the
-// sine of the angle between the gaze and the z axis where the gaze has a positive z (1/g is 0
-// elsewhere, and where the gaze is exactly along +z). Error bound of the last column: that times
-// (1 + 2 D).
+// Error bound of each entry of the rotation: 64 u (1 + 1/s + 1/g), where s is the sine of the angle
+// between `up` and the gaze, and g is the sine of the angle between the gaze and the z axis where
+// the gaze has a positive z (1/g is 0 elsewhere, and where the gaze is exactly along +z). Error
+// bound of the last column: the bound of the rotation times (1 + 2 D), where D is the largest
+// coordinate of the eye in size.
 Transform<Eye, World> axis_angle_view(const Camera& camera);
 
 enum class Kind { kUnknown = -1, kNeither = 0, kRotation = 1, kMirror = 2 };

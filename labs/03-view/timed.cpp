@@ -15,7 +15,7 @@ struct ParsedQuestion {
   std::vector<Point<World, double>> points;
 };
 
-// Reads 0 for U, V, N or 1 for two rotations; eye, target and up; a projection, row by row; then
+// Reads 0 (axes U, V, N) or 1 (two rotations); eye, target and up; a projection, row by row; then
 // vertices.
 ParsedQuestion read(RecordReader& in) {
   ParsedQuestion asked;

@@ -79,8 +79,8 @@ struct DialectCase {
   Projection m;
 };
 
-// Numbers with few bits, and no 0 where another number is possible: so every entry must be in its
-// place.
+// A projection whose numbers have few bits, with no 0 where another number is possible, so that an
+// entry in a wrong place is noticed.
 inline Projection off_centre() {
   Projection m;
   m.at(0, 0) = 1.5;
@@ -104,7 +104,8 @@ inline Projection parallel() {
   return m;
 }
 
-// One third has infinitely many binary digits, of which float keeps fewer than double.
+// A projection with thirds as entries. One third has infinitely many binary digits, of which float
+// keeps fewer than double, so computing in float is noticed.
 inline Projection of_thirds() {
   Projection m = off_centre();
   for (int i = 0; i < 16; ++i) m.at(i / 4, i % 4) /= 3;

@@ -1,4 +1,4 @@
-// The expected answers of lab 4: by the pipeline's own matrices, and by exact rationals.
+// The expected answers of lab 4, computed by the pipeline's own matrices, and by exact rationals.
 #include <algorithm>
 #include <cmath>
 
@@ -31,15 +31,15 @@ Expected projection(const Transform<Clip, Eye>& m, double roundings) {
   return expected;
 }
 
-// Tangent, quotients and products round 4 or 5 times, in the student's way and in ours; student.h
-// allows 16.
+// The error bound of an entry in units of the unit roundoff u: tangent, quotients and products
+// round 4 or 5 times, in the student's matrix and in ours; student.h allows 16.
 constexpr double kEntryRoundings = 16;
 
 Result<Transform<Clip, Eye>> perspective_of(const lab_04::Camera& c) {
   return perspective(c.fovy_radians, c.aspect, {c.near, c.far, DepthRange::kStandard});
 }
 
-// The slip of OpenGL's z from -w to w.
+// The mistake of using OpenGL's clip space, where z goes from -w to w.
 ExpectedWithSlip opengl_slip(const Transform<Clip, Eye>& m) {
   const Transform<Clip, Eye> gl(clip_gl_from_clip().columns * m.columns);
   return {"opengl-depth", {projection(gl, 2 * kEntryRoundings)}};
@@ -88,7 +88,7 @@ Case expect_box(const lab_04::Box& box) {
                       {"translation-sign", {projection(backwards, kEntryRoundings)}}}};
 }
 
-// How a dialect's numbers follow from the pipeline's: by a matrix that acts on clip space, after
+// How a dialect's matrix follows from the pipeline's: by a matrix that acts on clip space, after
 // the projection, or on eye space, before it.
 struct Adaptor {
   glm::dmat4 matrix;
@@ -163,7 +163,8 @@ Case expect_screen(const lab_04::ViewportCase& input) {
           .slipped = {{"half-pixel", expected(-0.5)}, {"half-pixel", expected(0.5)}}};
 }
 
-// The formula: z = n f / (f - d (f - n)); with an infinite far plane n / (1 - d).
+// The distance z of the depth d is n f / (f - d (f - n)), with near plane n and far plane f; if the
+// far plane is at infinity, it is n / (1 - d).
 double exact_distance(const lab_04::DepthCase& input) {
   const Rational d(input.depth), n(input.near);
   if (std::isinf(input.far)) return input.depth == 1 ? input.far : double(n / (Rational(1) - d));
@@ -173,13 +174,15 @@ double exact_distance(const lab_04::DepthCase& input) {
 
 Case expect_depth(const lab_04::DepthCase& input) {
   const double z = exact_distance(input), near = input.near;
-  // Every rounding of a number up to 1 in z = n / (1 - d (1 - n/f)) changes z by u z^2 / n; there
-  // are at most four of these, and that of the quotient. f = infinity, d = 1 is exact.
+  // In z = n / (1 - d (1 - n/f)) (d: depth; n, f: near and far), the rounding of a number up to 1
+  // changes z by u z^2 / n (u: the unit roundoff). At most four numbers up to 1 are rounded, and
+  // the quotient; 8 is more. For f = infinity and d = 1 the result is exact.
   const double bound = std::isinf(z) ? 0 : 8 * kU * z * z / near;
   const auto expected = [](double value, double by) {
     return std::vector{numbers("distance", {value}, by, "world units")};
   };
-  // The slip of a depth in -1 .. 1, which is mapped to 0 .. 1 first.
+  // The mistake of taking the depth for one in -1 .. 1, as in OpenGL, and mapping it to 0 .. 1
+  // first.
   lab_04::DepthCase opengl = input;
   opengl.depth = (input.depth + 1) / 2;
   const double gl = exact_distance(opengl);

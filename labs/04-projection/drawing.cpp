@@ -19,7 +19,7 @@ namespace glassbox::labs {
 namespace lab_04_drawing {
 
 constexpr double u = unit_roundoff<double>;
-// at most so far from the picture's corner, which the snap can handle
+// the largest coordinate that the snap can handle, in pixels from the picture's corner
 constexpr float kMostPixels = 32767;
 
 double largest(std::span<const double> numbers) {
@@ -75,8 +75,8 @@ Numbers distances(RecordReader& in) {
 
 // ---- judgement: the bounds of student.h ----
 
-// The bounds: 16 u of the largest entry for the projection, 4 u for the dialect, and the error of
-// our own matrix.
+// The bound, relative to the largest entry and with u the unit roundoff: 16 u for the projection, 4
+// u for the dialect, and 4 u for our own matrix.
 std::optional<WrongNumber> judge_projection(const Numbers&, const Numbers& yours,
                                             const Numbers& reference) {
   return first_wrong_entry(yours, reference, 24 * u * largest(reference), "");
@@ -104,15 +104,15 @@ std::optional<WrongNumber> judge_placed(const Numbers& in, const Numbers& yours,
       yours, reference,
       [&](std::size_t i) {
         if (i % 3 == 2) return 0.0;  // z keeps its bits
-        // For a vertex outside the picture the bound grows with its distance.
+        // For a vertex outside the picture the bound grows with the vertex's NDC coordinate.
         const double ndc = std::abs(in[4 + i]);
         return 8 * u * (std::abs(in[i % 3]) + in[2 + i % 3]) * std::max(1.0, ndc);
       },
       "px", coordinate);
 }
 
-// The bound, with d the depth and z the exact distance: 8 u z^2 / near for the student's and as
-// much for ours.
+// The bound, with z the exact distance and u the unit roundoff: 8 u z^2 / near for the student's
+// distance and as much for ours.
 std::optional<WrongNumber> judge_distances(const Numbers& in, const Numbers& yours,
                                            const Numbers& reference) {
   return first_wrong(
@@ -161,7 +161,8 @@ public:
     ++vertex_;
   }
 
-  // to_screen gets NDC in double; they are rounded to float only for the later stages.
+  // Makes the questions to to_screen. It gets NDC in double; the numbers are rounded to float only
+  // for the later stages.
   std::vector<Question> take_ndcs(std::vector<Numbers> answers) {
     std::vector<Question> placing;
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -231,7 +232,7 @@ Result<Question> projection_question(const DrawingInput& input) {
               "give the view with --fov or --ortho");
 }
 
-// Replaces the distances that the pipeline computes from 1/w.
+// Replaces the distances that the pipeline computes from 1/w by the student's.
 Result<void> ask_for_distances(PictureSetup& made, AnswerSource& answer_source) {
   RenderSettings settings = made.settings;
   settings.want_depth = true;

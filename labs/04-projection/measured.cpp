@@ -1,6 +1,6 @@
-// Lab 4 in the chart of the experiment on one or two matrices for view and projection (D-7):
-// vertices in front of a camera far from the origin, by the student's projection and divide, in
-// double.
+// Measures lab 4 for the chart of the experiment on one or two matrices for view and projection
+// (D-7): vertices in front of a camera far from the origin are transformed by the student's
+// projection and divide, in double.
 #include "labs/measuring/field_errors.h"
 #include "study/experiments/d07_field.h"
 
@@ -12,7 +12,7 @@ namespace lab_04_measured {
 
 using namespace study::d07;
 
-constexpr int kTimed = 1 << 9;  // as in a quick run
+constexpr int kTimed = 1 << 9;  // as in a quick run of the experiment
 
 Numbers question(const Field& field, Depth depth) {
   Numbers numbers{depth == Depth::kReversedInfinite ? 1.0 : 0.0, kPi / 2, 1, kNear,

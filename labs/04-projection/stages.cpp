@@ -24,8 +24,7 @@ void projection(RecordReader& in, Numbers& out) {
   append_matrix(out, m);
 }
 
-// Input: points of clip space. Output: NDC of each; nothing for a record with a point that has
-// none.
+// Input: points of clip space. Output: the NDC of each; nothing at all if a point has no NDC.
 void divided(RecordReader& in, Numbers& out) {
   Numbers made;
   while (in.more()) {
@@ -36,7 +35,7 @@ void divided(RecordReader& in, Numbers& out) {
   out.insert(out.end(), made.begin(), made.end());
 }
 
-// Input: the viewport's left, top, width and height, then points of NDC. Output: each on the
+// Input: the viewport's left, top, width and height, then points in NDC. Output: each point on the
 // screen.
 void placed(RecordReader& in, Numbers& out) {
   Rectangle viewport;
@@ -47,7 +46,7 @@ void placed(RecordReader& in, Numbers& out) {
   while (in.more()) append_point(out, to_screen(in.point<Point<Ndc, double>>(), viewport));
 }
 
-// Input: near and far, then depths. Output: the distance of each.
+// Input: near and far, then depths. Output: the distance that belongs to each depth.
 void distances(RecordReader& in, Numbers& out) {
   const double near = in.number(), far = in.number();
   while (in.more()) out.push_back(distance_of(in.number(), near, far));

@@ -9,12 +9,12 @@ namespace lab_04 {
 Projection perspective(double fovy_radians, double aspect, double near, double far) {
   // BEGIN SOLUTION
   constexpr double kPi = 3.14159265358979323846;
-  // Written so that NaN is rejected too.
+  // The conditions are negated, so that NaN is rejected too: every comparison with NaN is false.
   if (!(fovy_radians > 0 && fovy_radians < kPi)) throw std::invalid_argument("field of view");
   if (!(aspect > 0 && std::isfinite(aspect))) throw std::invalid_argument("aspect ratio");
   if (!(near > 0 && near < far)) throw std::invalid_argument("near and far plane");
   const double cot = 1 / std::tan(fovy_radians / 2);
-  // alpha = f / (f - n), which tends to 1 as f grows to infinity.
+  // With near n and far f, alpha = f / (f - n), which tends to 1 as f grows to infinity.
   const double alpha = std::isinf(far) ? 1 : far / (far - near);
   Projection m;
   m.at(0, 0) = cot / aspect;
@@ -77,7 +77,8 @@ Point<Screen, double> to_screen(const Point<Ndc, double>& p, const Rectangle& vi
 
 double distance_of(double depth, double near, double far) {
   // BEGIN SOLUTION
-  // depth = f (z - n) / ((f - n) z), solved for z and divided by f: right for an infinite f too.
+  // depth = f (z - n) / ((f - n) z) with near n and far f, solved for z. Dividing by f makes it
+  // right for an infinite f, too.
   const double n_over_f = near / far;
   return near / (1 - depth * (1 - n_over_f));
   // STUB: throw std::logic_error("4.6: distance_of is not written yet");

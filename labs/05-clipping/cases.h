@@ -24,8 +24,8 @@ struct FaceQuestion {
 };
 using FaceCase = std::vector<FaceQuestion>;  // one answer for each question
 
-// The faces of a prism over a polygon of the xy plane (counter-clockwise seen from +z) between two
-// heights, seen from `eye`.
+// The faces of a prism between two heights, seen from `eye`. The base of the prism is a polygon of
+// the xy plane, counter-clockwise seen from +z.
 inline FaceCase prism(const std::vector<std::array<float, 2>>& base, float low, float high,
                       Point<World> eye) {
   std::vector<Point<World>> top, bottom;
@@ -42,16 +42,18 @@ inline FaceCase prism(const std::vector<std::array<float, 2>>& base, float low, 
   return questions;
 }
 
-// The outline of an L; its corner number `reflex` is the reflex one.
+// The outline of an L; its corner number `reflex` is the one with an angle of more than 180
+// degrees.
 inline std::vector<std::array<float, 2>> ell(int reflex) {
   std::vector<std::array<float, 2>> base{{1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}};
   std::rotate(base.begin(), base.end() - reflex, base.end());
   return base;
 }
 
-// The largest possible triangles, with 13 bits in each coordinate, so 26 in a product. The eye of
-// the second of every three is exactly in the triangle's plane, at the middle of an edge; for the
-// other two it is one step off, on either side of the plane.
+// The largest possible triangles, with 13 bits in each coordinate, so 26 in a product. In each
+// group of three triangles, the eye of the second is exactly in the triangle's plane, at the middle
+// of an edge; the eyes of the first and the third are one step (1/16) below and above the middle of
+// an edge.
 inline FaceCase large_edge_on(std::uint64_t seed) {
   Random random(seed);
   const auto coordinate = [&] { return float(random.integer(-4095, 4095)) / 8; };
@@ -76,12 +78,13 @@ inline std::vector<FaceCase> solids() {
           prism(ell(0), 0, 1, {1.5f, 1.75f, 4}),
           prism(ell(0), 0, 1, {-3, 5, -2}),
           prism(ell(1), 0, 1, {1.5f, 1.75f, 4}),
-          prism(square, -1, 1, {1, 0.5f, 4}),  // in the plane of one side
+          prism(square, -1, 1, {1, 0.5f, 4}),  // the eye is in the plane of one side
           large_edge_on(50)};
 }
 
 // BEGIN HIDDEN
-// The smallest triangles, in the xy plane and tilted, seen from as near as possible.
+// Triangles with the shortest possible sides (1/16), in the xy plane and tilted, seen from as near
+// as possible.
 inline FaceCase small_faces() {
   constexpr float k = 1 / 16.0f;
   FaceCase questions;
@@ -92,8 +95,8 @@ inline FaceCase small_faces() {
   return questions;
 }
 
-// Random triangles: every other eye is exactly in the triangle's plane. Then large and small
-// triangles, and L's that begin at any corner.
+// Random triangles (in every second question the eye is exactly in the triangle's plane), then
+// large and small triangles, and L-shaped prisms whose base begins at any corner.
 inline std::vector<FaceCase> faces_edge_on() {
   Random random = glassbox::labs::varied(51);
   const auto coordinate = [&] { return float(random.integer(-128, 128)) / 16; };
@@ -132,7 +135,8 @@ inline std::vector<Point<Clip>> points() {
 }
 
 // BEGIN HIDDEN
-// Every relation of each coordinate to w: outside, on the boundary, inside; with w of both signs.
+// Points whose x, y and z take nine different multiples of w/2, so that they are outside, on and
+// inside each plane; with w of both signs.
 inline std::vector<Point<Clip>> lattice_points() {
   std::vector<Point<Clip>> all;
   for (const float w : {1.5f, -0.75f}) {
@@ -168,7 +172,7 @@ inline double distance_from(const Plane& plane, const Point<Clip>& p) {
   return plane.a * p.x + plane.b * p.y + plane.c * p.z + plane.d * p.w;
 }
 
-// An edge whose coordinates use all digits of a float, with its ends on different sides of the
+// An edge whose coordinates use all digits of a float, and whose ends are on different sides of the
 // plane.
 inline Edge random_edge(Random& random, const Plane& plane) {
   const auto point = [&] {
@@ -205,9 +209,9 @@ inline std::vector<EdgesCase> edges_both_ways() {
 // BEGIN HIDDEN
 inline std::vector<Edge> other_edges() {
   std::vector<Edge> all = edges(glassbox::labs::varied_seed(54), 1);
-  // x, w of p, then x, w of q. The x of their crossing is half-way between two floats, and is the
-  // nearest double. The w of the crossing should be the same on paper, but has lost the digits that
-  // show it.
+  // Each row: x and w of p, then x and w of q. The x of their crossing is half-way between two
+  // floats, and is the nearest double. On paper the w of the crossing is the same number, but
+  // computed in double it has lost the digits that show that it is half-way.
   constexpr std::array<std::array<float, 4>, 3> kApart{
       {{14803879, 1599421440, 10933927, -1799110400},
        {7425691, 1953577216, 11442587, -1267097088},
@@ -221,9 +225,9 @@ inline std::vector<Edge> other_edges() {
   return all;
 }
 
-// Edges whose crossing with the near plane is half-way between two floats, and where p + t (q - p)
-// in double, rounded once, gives different results from the two ends. About one in three thousand
-// such edges does.
+// Edges whose crossing with the near plane is half-way between two floats, so that p + t (q - p),
+// computed in double and rounded once, differs from q + t (p - q). About one in three thousand such
+// edges has this property.
 inline std::vector<EdgesCase> ties() {
   struct Tie {
     float p_z, q_z, p_x, q_x;
@@ -319,8 +323,8 @@ inline std::vector<FrustumCase> triangles() {
        {{{0.5f, 0.5f, -1e-10f, 2}, {1, 0, 1, 2}, {0, 1, 1, 2}}}}};
 }
 
-// A square of two triangles that reaches across the near plane and the picture: `shared` are the
-// ends of their common edge, in clip space.
+// Two triangles that form a square, which reaches across the near plane and out of the picture:
+// `shared` are the ends of their common edge, `apexes` their third corners, all in clip space.
 struct Pair {
   std::array<Point<Clip>, 2> shared;
   std::array<Point<Clip>, 2> apexes;
@@ -336,8 +340,8 @@ inline std::vector<PairsCase> pairs_of_triangles() {
   std::vector<PairsCase> all(4);
   for (PairsCase& each : all) {
     for (int i = 0; i < 8; ++i) {
-      // The edge goes from a point in the picture to one behind the near plane; the two apexes are
-      // on both sides of it.
+      // The common edge goes from a point in the picture to one behind the near plane; the third
+      // corners of the two triangles are on different sides of it.
       const float ax = between(-1, 1), ay = between(-1, 1), bx = between(-2, 2),
                   by = between(-2, 2);
       const Point<Clip> a{ax, ay, between(1, 2), 3}, b{bx, by, between(-2, -1), between(0.5, 1)};
@@ -379,7 +383,8 @@ inline std::vector<FrustumCase> more_triangles() {
 // A surface that fills a picture, cut into `count` triangles around a point in it. Its outer
 // corners are far outside the picture, and some of them behind the eye.
 inline std::vector<std::array<Point<Clip>, 3>> fan_of_triangles(int count) {
-  // The plane z = -(3 + x/2 + y/4) of eye space; 90 degrees of view, near 1/2, far 64.
+  // A point of the plane z = -(3 + x/2 + y/4) of eye space, in clip space: the field of view has 90
+  // degrees, near is 1/2 and far 64.
   const auto on_plane = [](double x, double y) {
     const double w = 3 + x / 2 + y / 4;
     return Point<Clip>(float(x), float(y), float(64.0 / 63.5 * (w - 0.5)), float(w));

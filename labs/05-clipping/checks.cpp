@@ -1,5 +1,5 @@
-// The expected answers of lab 5 for faces and outcodes, by the pipeline's own tests. Crossings and
-// polygons are in outlines.h.
+// The expected answers of lab 5 for faces and outcodes, computed by the pipeline's own tests. Those
+// for crossings and polygons are in outlines.h.
 #include <fmt/format.h>
 
 #include "labs/05-clipping/outlines.h"
@@ -53,7 +53,7 @@ Expected outcode_of(const Point<Clip>& p) {
   return numbers("outcode", {double(outcode(p, pipeline_frustum()))});
 }
 
-// The outcode with a near plane at z = -w.
+// The outcode with OpenGL's near plane, z = -w: a typical mistake.
 Expected opengl_outcode_of(const Point<Clip>& p) {
   return numbers("outcode", {double(outcode(p, opengl_frustum()))});
 }

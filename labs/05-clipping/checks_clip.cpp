@@ -45,12 +45,12 @@ Expected crossing_of(const lab_05::Edge& edge, const char* field = "crossing") {
                "clip units");
 }
 
-// Checks that a vertex which is not one of the polygon's own is exactly on the plane, as a crossing
-// is.
+// Checks that every vertex is either a vertex of the polygon itself or exactly on the plane, as a
+// crossing is.
 std::optional<Divergence> find_vertex_off_plane(const lab_05::PlaneCase& input,
                                                 const Answer& answer) {
   const auto* values = find_field(answer, "polygon");
-  // a missing field was reported by the comparison before
+  // compare_outlines() has reported a missing field before
   if (values == nullptr) return std::nullopt;
   for (std::size_t i = 0; i + 4 <= values->size(); i += 4) {
     const double* v = values->data() + i;

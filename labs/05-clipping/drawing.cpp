@@ -80,9 +80,9 @@ std::optional<WrongNumber> judge_clip(const Numbers& in, const Numbers& yours,
                      found->bound,   found->unit,   found->explanation};
 }
 
-// The contract's inputs make every product exact; those of a scene do not. So a value within the
-// rounding error of its sums may have either sign. The values are products of three differences of
-// up to twice the largest coordinate, a few dozen terms.
+// For the inputs of the contract every product is exact; for those of a scene it is not. So the
+// sign of a value (P - eye) . m that is within its own rounding error may be wrong. The value is a
+// sum of a few dozen products of three differences, each of up to twice the largest coordinate.
 std::optional<WrongNumber> judge_facing(const Numbers& in, const Numbers& yours,
                                         const Numbers& reference) {
   if (yours == reference) return std::nullopt;
@@ -163,7 +163,7 @@ public:
     culled = !faces_[number_].empty() && faces_[number_][0] != 0;
   }
 
-  // Takes the answers to the questions, by the triangle's number.
+  // Stores the answers to the questions, indexed by the triangle's number.
   void take(std::vector<Numbers> clips, std::vector<Numbers> faces) {
     clips_ = by_triangle(clip_questions, std::move(clips));
     faces_ = by_triangle(face_questions, std::move(faces));
@@ -186,12 +186,13 @@ private:
       const auto world = node.world_from_node * Point<Object, double>(p.x, p.y, p.z);
       append_point(face.numbers, Point<World>(float(world.x), float(world.y), float(world.z)));
     }
-    // A mirror reverses the order of the corners.
+    // A mirror among the transforms reverses the order of the corners, so two corners are
+    // exchanged.
     if (draw_->mirrored) std::swap_ranges(&face.numbers[3], &face.numbers[6], &face.numbers[6]);
     face_questions.push_back(std::move(face));
   }
 
-  // The eye is the point that eye_from_world maps to the origin: -R^T t.
+  // The eye is the point that eye_from_world, p -> R p + t, maps to the origin: -R^T t.
   Point<World> eye() const {
     const Transform<Eye, World>& m = view_.eye_from_world;
     const auto at = [&](int k) {

@@ -1,5 +1,5 @@
-// Lab 5 in the chart of the experiment on clipping (D-32): how far from the edges of the picture
-// the student's clipper leaves its vertices.
+// Measures lab 5 for the chart of the experiment on clipping (D-32): how far from the edges of the
+// picture the vertices are that the student's clipper makes.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace lab_05_measured {
 
 using namespace study::d32;
 
-constexpr std::size_t kTriangles = 40'000, kTimed = 8192;  // as in a quick run
+constexpr std::size_t kTriangles = 40'000, kTimed = 8192;  // as in a quick run of the experiment
 
 Numbers question(double size, std::size_t count) {
   const study::d32::Lens lens = course_lens();
@@ -64,10 +64,10 @@ ClippedParts expected_parts(double size) {
   return parts;
 }
 
-// Whether the student's result is near enough to the experiment's. Few triangles with random
-// corners are so thin at an edge that rounding decides whether anything of them is left: one in a
-// thousand is more than enough. The area would change by an eighth if vertices were off by a fifth
-// of a small triangle.
+// Whether the student's result is near enough to the experiment's. Rounding decides whether a
+// triangle is in the picture only if it hardly reaches into it, which is rarer than one in a
+// thousand for random corners. An eighth of the area is what vertices that are off by a fifth of a
+// small triangle change.
 bool is_clipped(const ClippedParts& mine, const ClippedParts& right) {
   return std::abs(mine.triangles - right.triangles) <= double(kTriangles) / 1000 &&
          std::abs(mine.area - right.area) <= right.area / 8;
@@ -80,8 +80,9 @@ double clip_vertex_error(const Point<Clip>& p) {
   return std::min(distance_from_edge(p, 0), distance_from_edge(p, 2));
 }
 
-// NaN where the answer is too short, has polygons that no clipping gives, or leaves out parts that
-// are in the picture: otherwise a function that does not clip would be the fastest way of all.
+// The largest error of a vertex made by clipping. NaN where the answer is too short, has polygons
+// that no clipping gives, or leaves out parts that are in the picture: otherwise a function that
+// does not clip would be the fastest method of all.
 Result<double> largest_clip_error(const Ask& ask, double size) {
   const Numbers asked = question(size, kTriangles);
   const auto answers = ask({asked});

@@ -14,7 +14,7 @@
 #include <glassbox/pipeline/clip_bounds.h>
 #include <glassbox/pipeline/divide.h>
 #include <glassbox/pipeline/viewport.h>
-#include <glassbox/raster/outline.h>
+#include <glassbox/raster/rasterise_polygon.h>
 
 namespace glassbox::labs {
 
@@ -28,15 +28,15 @@ double largest(const Point<Clip>& p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(p.w)});
 }
 
-// The largest error that a triangle's vertices may have after any of its planes, including the
-// error that the ends had before (pipeline/clip_bounds.h). The pipeline's own polygon is used in
-// place of the exact one: it differs by less than the bound.
+// The largest error that a vertex may have after clipping by any of the planes, including the error
+// that the ends of a clipped edge had before (pipeline/clip_bounds.h). The pipeline's own polygon
+// is used in place of the exact one: it differs by less than the bound.
 double bound_of(std::span<const Point<Clip>> corners, std::span<const ClipPlane> planes) {
   ClipPolygon polygon;
   for (const Point<Clip>& p : corners) polygon.vertices[std::size_t(polygon.count++)].position = p;
   std::vector<ClipVertexBound> bounds(corners.size());
-  double worst = 0;           // vertices that are kept have the same bits
-  if (corners.size() != 3) {  // one plane and a polygon: the ends have no earlier errors
+  double worst = 0;           // a vertex that is not cut off keeps its bits
+  if (corners.size() != 3) {  // a polygon and one plane: no earlier errors
     for (const Point<Clip>& p : corners) worst = std::max(worst, kRoundings * kU * largest(p));
     return worst;
   }
@@ -95,7 +95,7 @@ std::optional<Point<Clip>> nearest(const std::vector<Point<Clip>>& outline,
   });
 }
 
-// A picture of 48 x 32 pixels.
+// The coverage of the clipped polygons is compared in a picture of 48 x 32 pixels.
 constexpr PixelRect kWindow{0, 0, 48, 32};
 constexpr Viewport kViewport{0, 0, 48, 32};
 
@@ -171,7 +171,7 @@ Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPl
 
 namespace {
 
-// Reports what no polygon may have: equal neighbours, or only one or two vertices.
+// Reports what no polygon may have: equal neighbours; and a polygon with only one or two vertices.
 std::optional<Divergence> find_degenerate_outline(const std::vector<double>& values) {
   const auto outline = outline_of(values);
   Divergence found{.kind = Divergence::Kind::kExtra, .field = "polygon", .unit = "clip units"};
@@ -205,8 +205,8 @@ std::vector<double> without_near_vertices(const std::vector<double>& values, dou
   return left;
 }
 
-// Compares with each vertex as the first one, and returns the result of the start with the fewest
-// differences.
+// Compares the polygons with each vertex of the answer as the first one, and returns the result
+// with the fewest differences.
 std::optional<Divergence> compare_from_any(const Expected& expected,
                                            const std::vector<double>& actual) {
   Comparison best = compare(expected, actual);
@@ -242,7 +242,7 @@ std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
     const auto left = clip_segment({ClipVertex{shared[0], {}}, ClipVertex{shared[1], {}}}, planes);
     if (!left) continue;
     const auto first = pairs[i].first(), second = pairs[i].second();
-    // The segment's own ends are rounded as well.
+    // Twice the bound, because the ends of the expected segment are rounded as well.
     const double bound = 2 * std::max(bound_of(first, planes), bound_of(second, planes));
     const auto one = outline_of(field_of(answer, fmt::format("first {}", i)));
     const auto two = outline_of(field_of(answer, fmt::format("second {}", i)));

@@ -1,4 +1,4 @@
-// Judges clipped polygons: the exact ones, and how far an answer may be from them.
+// Judges clipped polygons: computes the exact polygon, and how far an answer may be from it.
 #pragma once
 
 #include <optional>
@@ -21,21 +21,21 @@ std::vector<glassbox::ClipPlane> pipeline_frustum();
 // The frustum's planes with OpenGL's near plane, z >= -w.
 std::vector<glassbox::ClipPlane> opengl_frustum();
 
-// Describes a polygon of clip space in NDC and on a screen of 640 x 480 pixels, with its winding
-// where it has one.
+// Describes a polygon of clip space in NDC and on a screen of 640 x 480 pixels, with its winding if
+// it has one.
 std::string restated(std::span<const Point<Clip>> polygon);
 
-// The part inside all planes, computed in rationals and rounded once; empty where it has fewer than
-// three vertices. `bound` is how far each number of an answer may be off.
+// The part of the polygon inside all planes, computed in rational numbers and rounded once; empty
+// if it has fewer than three vertices. `bound` is how far each number of an answer may be off.
 Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes);
 
-// Any vertex may come first. Returns nothing if the answer's field is right. Vertices nearer to
-// each other than the bound may be merged into one; but no two neighbours may be equal, and an
-// answer must not have one or two vertices.
+// Compares a clipped polygon with the expected one; any vertex may come first. Returns nothing if
+// the answer's field is right. Vertices nearer to each other than the bound may be merged into one;
+// but no two neighbours may be equal, and an answer must not have one or two vertices.
 std::optional<Divergence> compare_outlines(const Expected& expected, const Answer& answer);
 
-// Compares the common edge of two triangles: each end of the part that is left of it must be a
-// vertex of both, with the same bits.
+// Compares how two triangles that share an edge were clipped: each end of the part of the edge that
+// remains must be a vertex of both results, with the same bits.
 std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
                                                const Answer& answer);
 

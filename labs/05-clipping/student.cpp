@@ -65,7 +65,7 @@ Verdict trivial_verdict(const std::vector<std::uint32_t>& outcodes) {
 
 Point<Clip> crossing(const Plane& plane, const Point<Clip>& p, const Point<Clip>& q) {
   // BEGIN SOLUTION
-  // Swapping p and q swaps the terms of two sums, and changes no bit.
+  // Exchanging p and q exchanges the terms of two sums, which changes no bit of the result.
   const double at_p = std::abs(distance(plane, p)), at_q = std::abs(distance(plane, q));
   const auto between = [&](float a, float b) {
     return float((a * at_q + b * at_p) / (at_p + at_q));

@@ -10,7 +10,7 @@ using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 using Triangle = std::array<Point<Clip>, 3>;
 
-// Corners in clip space.
+// Reads triangles: the corners of each in clip space.
 std::vector<Triangle> triangles(RecordReader& in) {
   std::vector<Triangle> all;
   while (in.more()) {
@@ -19,8 +19,8 @@ std::vector<Triangle> triangles(RecordReader& in) {
   return all;
 }
 
-// The clipped triangle. Outcodes come first: most triangles are inside all planes, or outside one
-// of them.
+// Clips a triangle. The outcodes are tested first, because most triangles are inside all planes, or
+// outside one of them.
 Polygon clipped_triangle(const Triangle& triangle) {
   std::vector<std::uint32_t> codes;
   for (const Point<Clip>& p : triangle) codes.push_back(outcode(p));

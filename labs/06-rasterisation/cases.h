@@ -1,4 +1,5 @@
-// The inputs of lab 6's cases, shared by runner and judge.
+// The inputs of lab 6's cases: the runner passes them to the student's functions, the judge to the
+// pipeline's.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@ namespace lab_06 {
 
 using glassbox::Random;
 
-// A vertex at a position in pixels, without rounding for multiples of 1/256.
+// A snapped vertex at a position in pixels; exact for multiples of 1/256 pixel.
 inline SnappedVertex at(double x, double y) {
   return {std::int32_t(x * kSteps), std::int32_t(y * kSteps)};
 }
@@ -55,7 +56,7 @@ inline std::vector<SnapCase> more_positions() {
 
 struct EdgeCase {
   const char* what;
-  std::vector<Triangle> samples;  // a, b, p
+  std::vector<Triangle> samples;  // each: an edge from a to b, and a point p
 };
 
 inline Triangle random_sample(Random& random, std::int64_t reach) {
@@ -98,7 +99,7 @@ inline std::vector<EdgeCase> far_edges() {
 }
 // END HIDDEN
 
-// Directed edges in all classes of direction: eight directions in each, of different lengths.
+// Directed edges along both axes and along two diagonals, each in both directions.
 inline std::vector<EdgeCase> directions() {
   EdgeCase along{"the edges of a clockwise rectangle and its diagonals, both ways", {}};
   for (const auto& [x, y] : {std::array{4.0, 0.0},
@@ -135,14 +136,14 @@ struct CoverageCase {
   PixelRect window{0, 0, 8, 8};
 };
 
-// Triangles around a point, the last one joined to the first: every pixel inside the ring is
-// covered once.
+// A ring of triangles around a point; the last one has an edge in common with the first, so that
+// every pixel inside the ring is covered once.
 inline CoverageCase fan(int count, double centre, double radius) {
   CoverageCase c{std::to_string(count) + " triangles around a point", {}, {0, 0, 0, 0}};
   c.window.x1 = c.window.y1 = int(centre + radius) + 2;
   const auto ring = [&](int i) {
-    // The ring has corners: computed only with + - * / and integers, so that it is the same on
-    // every machine.
+    // The ring is a polygon whose corners are computed only with + - * /, floor and integers, so
+    // that it is the same on every machine.
     const double turn = 4.0 * (i % count) / count, side = turn - std::floor(turn);
     const double x = 1 - 2 * side, y = 1 - std::abs(x);
     const double forth[4][2] = {{x, y + 0.5}, {-y - 0.5, x}, {-x, -y - 0.5}, {y + 0.5, -x}};
@@ -251,8 +252,9 @@ inline std::vector<PolygonsCase> polygons() {
         {at(0, 0), at(0, 4), at(1, 1), at(4, 0)},
         {at(4, 0), at(0, 0), at(0, 4), at(1, 1)},
         {at(0, 0), at(2, 2), at(2, 0), at(0, 2)}}},
-      // From vertex 0, twice the areas of the first polygon's triangles are at most 2^31; from
-      // vertex 1, both are smaller.
+      // The fan from vertex 0 of the first polygon has a triangle with a doubled area of exactly
+      // 2^31, which needs more than 32 bits; in the fan from vertex 1 both doubled areas are
+      // smaller.
       {"convex polygons larger than 2^31 steps squared, and one of the largest size, bent inwards",
        {{at(0, 0), at(256, 0), at(192, 128), at(0, 96)},
         {at(0, 0), at(0, 96), at(192, 128), at(256, 0)},
@@ -267,7 +269,7 @@ inline std::vector<PolygonsCase> thin_polygons() {
   for (int i = 0; i < 60; ++i) {
     const int count = int(random.integer(4, 9));
     std::vector<SnappedVertex> polygon;
-    for (int k = 0; k < count; ++k) {  // out along a flat arc, and back along a chord
+    for (int k = 0; k < count; ++k) {  // the vertices are on a flat arc; the chord closes it
       const std::int32_t x = k * (count - 1 - k);
       polygon.push_back({1000 * k, -x / 6 + std::int32_t(random.integer(0, 1))});
     }
@@ -283,7 +285,7 @@ inline std::vector<PolygonsCase> thin_polygons() {
 struct TileCase {
   const char* what;
   Triangle triangle;
-  int side = 8;  // of a tile, in pixels
+  int side = 8;  // of a square tile, in pixels
   std::vector<PixelRect> tiles;
 };
 

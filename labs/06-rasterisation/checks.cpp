@@ -1,5 +1,5 @@
-// The expected answers of lab 6: by the program's snap, triangle set-up and fans, and by the exact
-// oracle of coverage.
+// The expected answers of lab 6, computed by the program's snap, triangle set-up and fans, and by
+// the exact oracle of coverage.
 #include <cmath>
 #include <cstdint>
 
@@ -81,7 +81,8 @@ constexpr Rule kSlippedRules[] = {{"half-pixel", 0, top_left},
                                   {"y-direction", kCentre, bottom_left},
                                   {"all-edges", kCentre, all_edges}};
 
-// Whether a pixel is inside edge k of a triangle that has been made clockwise.
+// Whether a pixel is on the inner side of edge k of a triangle. A counter-clockwise triangle is
+// turned first.
 bool inside_edge(const Rule& rule, const Triangle& t, std::size_t k, int x, int y) {
   const bool turned = double_area(t[0], t[1], t[2]) < 0;
   const SnappedVertex &from = t[k], &to = t[(k + 1) % 3];
@@ -110,21 +111,22 @@ Case expect_edge(const EdgeCase& input) {
   }
   Case c = expect_numbers(input.what, samples_text(input, true), "edge function", values,
                           "steps squared");
-  // The slip: the formula for a y axis that points up.
+  // The typical mistake: the formula for a y axis that points up.
   c.slipped = {{"y-direction", {numbers("edge function", negated, 0, "steps squared")}}};
   return c;
 }
 
-// The snapped vertex in pixels, as the triangle set-up takes it.
+// The snapped vertex in pixels, the form that the triangle set-up takes.
 ScreenVertex on_screen(const SnappedVertex& v) {
   return {{float(v.x) / 256, float(v.y) / 256, 0}, 1};
 }
 
-// Sets up a triangle that has the edge, and looks up which edges it owns.
+// Sets up a triangle that has the edge from a to b, and looks up whether it owns this edge.
 Case expect_owner(const EdgeCase& input) {
   std::vector<double> owned, going_down, bottom;
   for (const auto& [a, b, p] : input.samples) {
-    // The left normal of b - a on the screen points into a clockwise triangle.
+    // With y down, the vector (-dy, dx) points to the right of the edge (dx, dy), so `inner` is on
+    // the inner side of a clockwise triangle's edge.
     const SnappedVertex inner{a.x - (b.y - a.y), a.y + (b.x - a.x)};
     const auto setup = setup_triangle({on_screen(inner), on_screen(a), on_screen(b)});
     owned.push_back(setup && setup->edges[0].owns_zero ? 1 : 0);
@@ -184,7 +186,7 @@ Case expect_coverage(const CoverageCase& input) {
     text += fmt::format("\n  triangle {}: {}", i, text_of(input.triangles[i]));
   if (input.triangles.size() > 4) text += fmt::format("\n  ... {} in all", input.triangles.size());
   const Expected inside = numbers("outside the window", {0});
-  // A student who accepts only one winding draws nothing of the other.
+  // The mistake of accepting only one winding: triangles of the other winding are not drawn.
   Case c{.where = input.what,
          .restated = text + extreme_case_command(input.what),
          .expected = {coverage_of(input, true, true), inside},
@@ -211,7 +213,7 @@ Case expect_apex(const PolygonsCase& input) {
 
 // ---- 6.6 ----
 
-// Decides by testing every centre of the tile.
+// Classifies a tile by testing all its pixel centres.
 TileCover cover_of(const TriangleSetup& setup, const PixelRect& tile) {
   bool all = true;
   for (const EdgeFunction& edge : setup.edges) {

@@ -24,7 +24,7 @@ constexpr int kTile = 64;  // pixels, as in stages.cpp
 constexpr std::size_t kFirstTile =
     4;  // numbers of a "cover" answer before the tiles: the area and the owned edges
 constexpr std::size_t kPixelNumbers = 5;  // x, y, and three edge functions
-// the limit of a position, so that no product needs more than 64 bits
+// the largest coordinate in steps of 1/256 pixel, so that no product needs more than 64 bits
 constexpr double kMostSteps = 1 << 23;
 
 // ---- the reference ----
@@ -71,8 +71,8 @@ std::vector<PixelRect> tiles_of(const PixelRect& window) {
   return tiles;
 }
 
-// Decides edge by edge: an edge function has its smallest and largest values at the centres of the
-// tile's corners.
+// Classifies a tile edge by edge: an edge function has its smallest and largest values at the pixel
+// centres in the tile's corners.
 double class_of(const TriangleSetup& setup, const PixelRect& tile) {
   constexpr double kNone = 0, kSome = 1, kAll = 2;
   double cover = kAll;
@@ -90,7 +90,8 @@ double class_of(const TriangleSetup& setup, const PixelRect& tile) {
   return cover;
 }
 
-// Undoes the sorting of the set-up: order[k] is the number of the original vertex.
+// Undoes the sorting of the vertices by the triangle set-up: numbers[k] belongs to the vertex that
+// was number order[k] before.
 template <class T>
 std::array<T, 3> in_input_order(const TriangleSetup& setup, const std::array<T, 3>& numbers) {
   std::array<T, 3> came;
@@ -304,7 +305,7 @@ private:
     return i < answer.size() ? std::int32_t(std::clamp(answer[i], -kMostSteps, kMostSteps)) : 0;
   }
 
-  // Pixels outside the picture are wrong, and cannot be drawn.
+  // Adds a pixel of an answer. One outside the picture is wrong, and cannot be drawn.
   void add_pixel(const double* numbers) {
     const auto inside = [](double at, int size) { return at >= 0 && at < size; };
     if (!inside(numbers[0], picture_.x1) || !inside(numbers[1], picture_.y1)) return;
@@ -317,7 +318,7 @@ private:
   }
 
   enum class Pass { kSnap, kCover, kDraw };
-  // the number of the triangle, and of the piece in it
+  // the number of a triangle, and of one of the triangles of the fan that clipping makes of it
   using Piece = std::pair<std::uint32_t, std::uint32_t>;
   const PixelRect picture_;
   Pass pass_ = Pass::kSnap;
@@ -330,7 +331,7 @@ private:
   std::vector<Numbers> snaps_;  // one for each triangle
   std::map<std::uint32_t, int> apexes_;
   std::map<Piece, std::array<SnappedVertex, 3>> corners_;
-  std::map<Piece, std::size_t> places_;  // the index of the piece's question
+  std::map<Piece, std::size_t> places_;  // the index of the question about it
   std::vector<Numbers> covers_;
   std::vector<Coverage> pixels_;
 };

@@ -1,5 +1,6 @@
-// Lab 6 in the chart of the experiment on the arithmetic of edge functions (D-3): how often the
-// student's edge function gives a pixel to the wrong triangle, and how long a pixel takes.
+// Measures lab 6 for the chart of the experiment on the arithmetic of edge functions (D-3): how
+// often the student's edge function gives a pixel to the wrong triangle, and how long a pixel
+// takes.
 #include <cmath>
 #include <memory>
 
@@ -12,7 +13,7 @@ namespace lab_06_measured {
 
 using study::EdgeSample;
 
-constexpr int kSamples = 2'000'000, kTimed = 500;  // as in a quick run
+constexpr int kSamples = 2'000'000, kTimed = 500;  // as in a quick run of the experiment
 constexpr int kAtOnce = 500'000;
 
 struct EdgeErrorRates {
@@ -77,8 +78,7 @@ double right_pixels(int width) {
 }
 
 // Whether the timed triangles cover as many pixels as they should. Errors at single pixels of edges
-// are what the chart shows, and are allowed here; they cannot be more than a hundredth of all
-// pixels.
+// are allowed here, because the chart shows them; they change the number by less than a hundredth.
 Result<bool> covers_all(const Ask& ask, int width) {
   const auto answers = ask({timed_triangles(width)});
   if (!answers) return tl::unexpected(answers.error());

@@ -13,7 +13,8 @@ using glassbox::labs::RecordReader;
 
 constexpr int kTile = 64;  // pixels
 
-// Input: positions on the screen in pixels, one number after the other. Output: the same in steps.
+// Input: positions on the screen in pixels, one number after the other. Output: the positions in
+// steps of 1/256 pixel.
 void snap_all(RecordReader& in, Numbers& out) {
   while (in.more()) out.push_back(snap(in.real()));
 }
@@ -30,7 +31,7 @@ void fan(RecordReader& in, Numbers& out) {
   out.push_back(fan_apex(polygon));
 }
 
-// The pixels of a tile that are drawn.
+// The pixels of a tile that are drawn if the student's functions classified the tile as `cover`.
 std::vector<Pixel> pixels_of(const Triangle& triangle, const PixelRect& tile, TileCover cover) {
   if (cover == TileCover::kNone) return {};
   if (cover == TileCover::kSome) return covered_pixels(triangle, tile);

@@ -11,7 +11,7 @@ namespace lab_06 {
 
 std::int32_t snap(float pixels) {
   // BEGIN SOLUTION
-  // Exact in double: a float has 24 bits, and where the sum is rounded it is not near an integer.
+  // Exact in double: a float has 24 bits, and a sum that is rounded is not near an integer.
   return std::int32_t(std::floor(double(pixels) * kSteps + 0.5));
   // STUB: return -0x7fffffff;  // in steps of 1/256 pixel
   // END SOLUTION
@@ -31,7 +31,7 @@ std::int64_t edge(const SnappedVertex& a, const SnappedVertex& b, const SnappedV
 
 bool owns_edge(const SnappedVertex& a, const SnappedVertex& b) {
   // BEGIN SOLUTION
-  const bool left = b.y < a.y;  // clockwise with y down: left edges go up, top edges go right
+  const bool left = b.y < a.y;  // in a clockwise triangle, left edges go up and top edges go right
   const bool top = a.y == b.y && b.x > a.x;
   return left || top;
   // STUB: return false;  // top and left edges

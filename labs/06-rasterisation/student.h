@@ -25,9 +25,9 @@ using Triangle = std::array<SnappedVertex, 3>;
 inline constexpr std::int32_t kSteps = 256;   // steps in a pixel
 inline constexpr std::int32_t kCentre = 128;  // steps from a pixel's corner to its centre
 
-// Task 6.1. The nearest number of steps to a position in pixels. Halfway between two numbers it is
-// the larger one: 3/512 becomes 2, and -3/512 becomes -1. |pixels| < 2^16. Every float is a
-// multiple of some power of two, so "halfway" is exact too.
+// Task 6.1. The nearest number of steps to a position in pixels. A position halfway between two
+// numbers becomes the larger one: 3/512 becomes 2, and -3/512 becomes -1. |pixels| < 2^16. Every
+// float is a multiple of some power of two, so "halfway" is exact too.
 std::int32_t snap(float pixels);
 
 // Task 6.2. The edge function of the directed edge from a to b at the point p: twice the signed
@@ -56,8 +56,7 @@ std::vector<Pixel> covered_pixels(const Triangle& triangle, const PixelRect& win
 // Task 6.5. A fan from vertex k of a polygon is the set of triangles (k, k+i, k+i+1) for
 // i = 1 .. N-2, with vertex numbers modulo N. Returns the smallest k whose fan has no two triangles
 // of opposite winding (triangles of zero area have no winding), or 0 if there is no such k. N >= 3.
-// The snap may bend a polygon inwards that was convex, and then not every fan covers it exactly
-// once.
+// The snap may bend a convex polygon inwards, and then not every fan covers it exactly once.
 int fan_apex(const std::vector<SnappedVertex>& polygon);
 
 enum class TileCover { kNone, kSome, kAll };

@@ -27,8 +27,8 @@ std::vector<Triangle> triangles_of(RecordReader& in) {
 }
 
 // Input: 0 and edges, each with the centre of a pixel near it. Output: whether the pixel belongs to
-// the triangle on the right of the edge, and whether it belongs to the other one. With the input of
-// prepare(): how many pixels each triangle covers.
+// the triangle on the right of the edge, and whether it belongs to the triangle on the left. If the
+// input is that of prepare(), which begins with a width: how many pixels each triangle covers.
 void answer(RecordReader& in, Numbers& out) {
   if (const int width = in.integer(); width > 0) {
     for (const Triangle& triangle : triangles_of(in))

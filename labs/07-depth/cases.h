@@ -1,4 +1,5 @@
-// The inputs of lab 7's cases, shared by runner and judge.
+// The inputs of lab 7's cases: the runner passes them to the student's functions, the judge to the
+// pipeline's.
 #pragma once
 
 #include <cmath>

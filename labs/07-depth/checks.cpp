@@ -1,4 +1,5 @@
-// The expected answers of lab 7: by the program's projections and depth codes, and in 50 digits.
+// The expected answers of lab 7, computed by the program's projections and depth codes, and in
+// decimal arithmetic with 50 digits.
 #include <cmath>
 #include <cstdint>
 
@@ -24,7 +25,7 @@ std::string text_of(const Planes& p) {
                      p.range == Range::kStandard ? "standard" : "reversed");
 }
 
-// One number with a relative bound; infinity must be exact.
+// One expected number with a relative bound; infinity must be exact.
 Expected number(const std::string& field, double value, double relative, const std::string& unit) {
   const double bound = std::isfinite(value) ? relative * std::abs(value) : 0;
   return numbers(field, {value}, bound, unit);
@@ -39,12 +40,14 @@ Case expect_row(const Planes& input) {
   if (!clip_from_eye) return {};  // every pair of planes is valid
   const double a = clip_from_eye->at(2, 2), b = clip_from_eye->at(2, 3);
   const auto expect = [](double a_, double b_, double ulps = 8) {
-    // The student's entries and ours are each within 4 ulps of the exact value.
+    // The student's entries and ours are each within 4 ulps of the exact value, so they differ by
+    // at most 8 ulps.
     return std::vector<Expected>{numbers("a", {a_}, ulps * ulp(a_)),
                                  numbers("b", {b_}, ulps * ulp(b_), "world units")};
   };
-  // The slips: an eye that looks along +z has z_clip = -a z + b. OpenGL's 2 z - w, with w = -z_eye,
-  // has 2 a + 1, which is off by up to 16 ulps more where |a| is near 1, and 2 b.
+  // The typical mistakes. For an eye that looks along +z, z_clip = -a z + b. OpenGL's z_clip is
+  // 2 z - w with w = -z_eye, which gives 2 a + 1 and 2 b; where |a| is near 1, 2 a + 1 is off by up
+  // to 16 ulps more.
   return {.where = text_of(input),
           .restated = text_of(input) + "; z_clip = a z_eye + b, w_clip = -z_eye",
           .expected = expect(a, b),
@@ -63,8 +66,9 @@ Case expect_distance(const DistanceCase& input) {
     Decimal inverse = from_far / Decimal(input.planes.near);
     if (std::isfinite(input.planes.far)) inverse += from_near / Decimal(input.planes.far);
     const double z = inverse.sign() == 0 ? kInfinity : double(Decimal(1) / inverse);
-    // 1 - depth, two quotients, a sum of two numbers >= 0 and a quotient: 4 u, and 1/2 u for the
-    // rounding here.
+    // The student's rounding errors are at most 4 u (u: the unit roundoff), from 1 - depth, a
+    // quotient, the sum of two numbers >= 0, and the last quotient. The rounding of the expected
+    // number comes on top; student.h allows 16 u.
     c.expected.push_back(number(fmt::format("distance {}", c.expected.size()), z,
                                 16 * unit_roundoff<double>, "world units"));
   }
@@ -101,7 +105,8 @@ Case expect_code(const CodeCase& input) {
 
 // ---- 7.4 ----
 
-// Pixel by pixel, testing all fragments.
+// Finds the visible fragment of each pixel by testing all fragments; and the last of several
+// equally near ones, for the mistake <= in place of <.
 Case expect_visible(const BufferCase& input) {
   std::vector<double> seen, seen_last;
   for (int pixel = 0; pixel < input.pixels; ++pixel) {
@@ -143,12 +148,12 @@ double ladder_rung_size(const LadderCase& input, double d) {
   const Decimal whole = at_near - at_far;
   const bool reversed = input.format == Format::kFloat32Reversed;
   const double depth = double((reversed ? here - at_far : at_near - here) / whole);
-  // No depth of the cases is within 1e-10 of a power of two, so that the student's double and ours
-  // have the same exponent.
+  // The step of a float depends on the exponent of the depth. No depth of the cases is within 1e-10
+  // of a power of two, so the student's double and ours have the same exponent.
   Decimal step = Decimal(std::ldexp(1.0, std::ilogb(depth) - 23));
   if (input.format == Format::kUnorm16 || input.format == Format::kUnorm24)
     step = Decimal(1) / Decimal(double(glassbox::depth_code(glassbox_format(input.format), 1.0f)));
-  const Decimal beyond = here - step * whole;  // 1/d'
+  const Decimal beyond = here - step * whole;  // 1/d', with d' one step of depth behind d
   if (beyond.sign() <= 0 || (beyond - at_far).sign() < 0) return kInfinity;
   return double(here / beyond - Decimal(1));
 }
@@ -160,9 +165,10 @@ Case expect_ladder(const LadderCase& input) {
       {}};
   for (const double d : input.distances) {
     c.restated += fmt::format(" {}", d);
-    // 1/near - 1/far magnifies the roundings of its terms at most 3 times (far >= 2 near), so q has
-    // an error of 7 u; q/(1 - q) magnifies that at most 4 times, since no q of the cases is between
-    // 3/4 and 1.
+    // The student computes q = step (1/near - 1/far) d. The subtraction magnifies the roundings of
+    // its terms at most 3 times (far >= 2 near), so q has an error of 7 u (u: the unit roundoff).
+    // The result q/(1 - q) has at most 4 times this error, since no q of the cases is between 3/4
+    // and 1.
     c.expected.push_back(number(fmt::format("rung {}", c.expected.size()),
                                 ladder_rung_size(input, d), 64 * unit_roundoff<double>, ""));
   }

@@ -21,7 +21,7 @@ namespace lab_07_drawing {
 constexpr int kRows = 8;  // how many rows of the picture one question of "seen" has
 constexpr double u53 = unit_roundoff<double>;
 
-// lab_07::Format, and the same formats of the pipeline.
+// The pipeline's depth formats, in the order of lab_07::Format.
 constexpr DepthFormat kFormats[] = {DepthFormat::kUnorm16, DepthFormat::kUnorm24,
                                     DepthFormat::kFloat32, DepthFormat::kFloat32Reversed};
 double number_of(DepthFormat format) {
@@ -62,7 +62,7 @@ Numbers seen(RecordReader& in) {
   return winners;
 }
 
-// Interpolates 1/d linearly from 1/near to 1/far; the depth is the weight.
+// Interpolates 1/d (d: the distance) linearly from 1/near to 1/far; the depth is the weight.
 Numbers distances(RecordReader& in) {
   const double near = in.number(), far = in.number();
   const bool reversed = range_of(in.number()) == DepthRange::kReversed;
@@ -77,7 +77,8 @@ Numbers distances(RecordReader& in) {
 
 // ---- judgement ----
 
-// The student's entries and ours are each within 4 ulps of the exact value.
+// The student's entries and ours are each within 4 ulps of the exact value, so they differ by at
+// most 8 ulps.
 std::optional<WrongNumber> judge_row(const Numbers&, const Numbers& yours,
                                      const Numbers& reference) {
   return first_wrong(
@@ -105,7 +106,8 @@ std::optional<WrongNumber> judge_visible(const Numbers& in, const Numbers& yours
       });
 }
 
-// The student's distances and ours are each within 16 u of the exact distance.
+// The student's distances and ours are each within 16 u of the exact distance (u: the unit
+// roundoff), so they differ by at most 32 u.
 std::optional<WrongNumber> judge_distances(const Numbers& in, const Numbers& yours,
                                            const Numbers& reference) {
   return first_wrong(
@@ -125,7 +127,8 @@ struct TestedFragment {
   std::uint32_t triangle = 0;
 };
 
-// Gathers the fragments that reach the depth test, and in a later run decides which of them pass.
+// In the first run, gathers the fragments that reach the depth test; in a later run decides which
+// of them pass.
 class StageObserver : public Observer {
 public:
   void draw(const Draw& draw) override {
@@ -144,8 +147,9 @@ public:
     }
   }
 
-  // Lets those fragments pass that the codes let pass, up to the fragment that is visible at the
-  // end; that one always passes.
+  // Decides which fragments pass the depth test: at each pixel those that are nearer, by the
+  // student's codes, than all before them, up to the fragment that is visible at the end. That one
+  // always passes.
   void take(const std::vector<double>& code, const std::vector<double>& winner, int width) {
     std::vector<double> nearest(winner.size(), std::numeric_limits<double>::infinity());
     passes_.resize(fragments.size());
@@ -181,7 +185,8 @@ std::vector<Question> code_questions(const std::vector<TestedFragment>& fragment
   return questions;
 }
 
-// One question for some rows of the picture each; `order` gets the fragments of each question.
+// Makes one question for every kRows rows of the picture; order[k] becomes the indices of the
+// fragments in question k.
 std::vector<Question> visibility_questions(const std::vector<TestedFragment>& fragments,
                                            double format, int width, int height,
                                            std::vector<std::vector<std::size_t>>& order) {
@@ -221,7 +226,7 @@ Result<void> ask_for_row(PictureSetup& made, AnswerSource& answer_source) {
   return {};
 }
 
-// Replaces the distances that the pipeline computes from 1/w.
+// Replaces the distances that the pipeline computes from 1/w by the student's.
 Result<void> ask_for_distances(PictureSetup& made, const std::vector<TestedFragment>& fragments,
                                const std::vector<double>& winner, AnswerSource& answer_source) {
   Question question{planes_of(made.view), kNone};

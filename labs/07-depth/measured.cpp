@@ -1,5 +1,5 @@
-// Lab 7 in the chart of the experiment on depth formats (D-6): how far apart two surfaces must be
-// for the student's codes to tell which is in front.
+// Measures lab 7 for the chart of the experiment on depth formats (D-6): how far apart two surfaces
+// must be for the student's codes to tell which is in front.
 #include <cmath>
 #include <memory>
 
@@ -14,7 +14,7 @@ namespace lab_07_measured {
 
 using namespace study::d06;
 
-constexpr int kRungs = 2048;  // as in a quick run
+constexpr int kRungs = 2048;  // as in a quick run of the experiment
 
 struct LabFormat {
   int number;  // its value in lab_07::Format
@@ -22,8 +22,8 @@ struct LabFormat {
 };
 constexpr LabFormat kLabFormats[] = {{0, "u16"}, {1, "u24"}, {2, "float"}, {3, "float, reversed"}};
 
-// The questions for the windows of the ladder, each twice as large as the last, until one reaches
-// the far plane.
+// One question for each window of the ladder, the distances from z to z (1 + window). Each window
+// is twice as large as the one before, until one reaches the far plane.
 std::vector<Numbers> questions(int format, double z) {
   std::vector<Numbers> all;
   for (double window = 0x1p-18;; window *= 2) {
@@ -58,7 +58,7 @@ Numbers timed_fragments(int format) {
   return question;
 }
 
-// Whether the timed function keeps each pixel's only fragment.
+// Whether the student's function, which is timed, finds the only fragment of each pixel.
 Result<bool> keeps_all_fragments(const Ask& ask, const Numbers& timed) {
   const auto answers = ask({timed});
   if (!answers) return tl::unexpected(answers.error());

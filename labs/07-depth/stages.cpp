@@ -8,7 +8,7 @@ namespace {
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// Input: near, far, range. Output: the entries [2][2] and [2][3].
+// Input: near, far, range. Output: the entries [2][2] and [2][3] of the projection matrix.
 void row(RecordReader& in, Numbers& out) {
   const double near = in.number(), far = in.number();
   const DepthRow made = depth_row(near, far, Range(in.integer()));

@@ -23,8 +23,8 @@ DepthRow depth_row(double near, double far, Range range) {
 
 double distance_of(double depth, double near, double far, Range range) {
   // BEGIN SOLUTION
-  // The depth is the weight in a linear interpolation of 1/d from 1/near to 1/far. The only
-  // subtraction is that of the depth from 1.
+  // The depth is the weight in a linear interpolation of 1/d (d: the distance) from 1/near to
+  // 1/far. The only subtraction is that of the depth from 1.
   const double from_near = range == Range::kReversed ? 1 - depth : depth;
   const double from_far = range == Range::kReversed ? depth : 1 - depth;
   return 1 / (from_far / near + from_near / far);
@@ -70,7 +70,7 @@ std::vector<int> visible(const std::vector<Fragment>& fragments, int pixels, For
 
 double separation(Format format, double near, double far, double d) {
   // BEGIN SOLUTION
-  // Depth is affine in 1/d: one step of depth changes 1/d by step (1/near - 1/far).
+  // Depth is affine in 1/d: when it changes by `step`, 1/d changes by step (1/near - 1/far).
   const double whole = 1 / near - 1 / far;
   const double reversed = (1 / d - 1 / far) / whole, standard = (1 / near - 1 / d) / whole;
   double step = 0;
@@ -78,7 +78,7 @@ double separation(Format format, double near, double far, double d) {
   if (format == Format::kUnorm24) step = 1.0 / 16777215;
   if (format == Format::kFloat32) step = std::ldexp(1.0, std::ilogb(standard) - 23);
   if (format == Format::kFloat32Reversed) step = std::ldexp(1.0, std::ilogb(reversed) - 23);
-  const double q = step * whole * d;  // 1/d' = (1/d)(1 - q)
+  const double q = step * whole * d;  // then 1/d' = (1/d)(1 - q), with d' one step behind d
   if (q >= 1 || d / (1 - q) > far) return std::numeric_limits<double>::infinity();
   return q / (1 - q);
   // STUB: return NAN;  // (d' - d)/d

@@ -21,13 +21,13 @@ struct DepthRow {
 };
 
 // Task 7.1. The entries [2][2] and [2][3] of a perspective projection. 0 < near < far; far may be
-// infinite (depth then approaches 1, or 0, without reaching it). Each within 4 ulps of its exact
-// value.
+// infinite (depth then approaches 1, or 0, without reaching it). Each entry must be within 4 ulps
+// of its exact value.
 DepthRow depth_row(double near, double far, Range range);
 
 // Task 7.2. The distance along the gaze that has this depth, 0 <= depth <= 1: the inverse of the
-// mapping to depth. Infinite for the depth of an infinite far plane. Relative error at most 16 u,
-// at the far plane too and for any ratio far / near.
+// mapping to depth. It is infinite for the depth of an infinite far plane. The relative error is at
+// most 16 u, at the far plane too and for any ratio far / near.
 double distance_of(double depth, double near, double far, Range range);
 
 // The formats of a depth buffer: 16 or 24 bits of fixed point, a float, or a float of the reversed
@@ -49,9 +49,9 @@ struct Fragment {
 };
 
 // Task 7.4. A z-buffer: for each pixel the number of the fragment that is visible after all have
-// been drawn in the given order, or -1 if the pixel has no fragment. Among fragments with the same
-// code the first one stays. The empty buffer is behind every depth, the depth of the far plane
-// included.
+// been drawn in the given order, or -1 if the pixel has no fragment. Among fragments whose depths
+// are stored as the same code of `format` the first one stays. The empty buffer is behind every
+// depth, the depth of the far plane included.
 std::vector<int> visible(const std::vector<Fragment>& fragments, int pixels, Format format);
 
 // Task 7.5. A rung of the ladder, the resolution of a format at the distance d: how far apart,

@@ -16,8 +16,8 @@ std::vector<Fragment> fragments_of(RecordReader& in) {
 
 constexpr int kWhatIsTimed = 1;
 
-// Input: 0, a format, near and far, then distances. Output: the code of each distance. With the
-// input of prepare(): the number of the fragment at each pixel.
+// Input: 0, a format, near and far, then distances. Output: the code of each distance. If the input
+// is that of prepare(): the number of the visible fragment at each pixel.
 void answer(RecordReader& in, Numbers& out) {
   const bool is_timed = in.integer() == kWhatIsTimed;
   const auto format = Format(in.integer());

@@ -1,4 +1,5 @@
-// The inputs of lab 8's cases, shared by runner and judge.
+// The inputs of lab 8's test cases: for the runner, which calls the student's functions, and for
+// the checks, which compute the expected answers.
 #pragma once
 
 #include <vector>
@@ -195,7 +196,7 @@ inline std::vector<FootprintCase> hidden_footprints() {
 }
 // END HIDDEN
 
-// ---- patches (tasks 8.5 and 8.6): of Newell's teapot, y up ----
+// ---- patches of Newell's teapot, with y up (tasks 8.5 and 8.6) ----
 
 inline Patch teapot_body() {
   return {{{{{{1.5, 2.4, 0}, {1.5, 2.4, 0.84}, {0.84, 2.4, 1.5}, {0, 2.4, 1.5}}},
@@ -203,7 +204,7 @@ inline Patch teapot_body() {
             {{{2, 1.35, 0}, {2, 1.35, 1.12}, {1.12, 1.35, 2}, {0, 1.35, 2}}},
             {{{2, 0.9, 0}, {2, 0.9, 1.12}, {1.12, 0.9, 2}, {0, 0.9, 2}}}}}};
 }
-// The knob of the lid: all points of its first row are the same.
+// The knob of the lid. All four points of its first row are the same point, a pole.
 inline Patch teapot_knob() {
   return {{{{{{0, 3.15, 0}, {0, 3.15, 0}, {0, 3.15, 0}, {0, 3.15, 0}}},
             {{{0.8, 3.15, 0}, {0.8, 3.15, 0.45}, {0.45, 3.15, 0.8}, {0, 3.15, 0.8}}},
@@ -230,8 +231,8 @@ inline Patch teapot_bottom() {
             {{{1.5, 0.075, 0}, {1.5, 0.075, -0.84}, {0.84, 0.075, -1.5}, {0, 0.075, -1.5}}},
             {{{1.5, 0.15, 0}, {1.5, 0.15, -0.84}, {0.84, 0.15, -1.5}, {0, 0.15, -1.5}}}}}};
 }
-// The body with a first row that ends where it began, or in which some points are equal, but not
-// all: it is not a pole.
+// A patch whose first row ends at the point where it begins. The row is not a pole, because its
+// other points differ. In doubled_body(), only the first two points of the row are the same.
 inline Patch looped_body() {
   Patch p = teapot_body();
   p.rows[0][3] = p.rows[0][0];
@@ -242,7 +243,8 @@ inline Patch doubled_body() {
   p.rows[0][1] = p.rows[0][0];
   return p;
 }
-// The body with another first row: its point `i` is point from[i] of the body's row.
+// The body with other points in its first row: point i of the row is point from[i] of the original
+// row.
 inline Patch body_with_row(const std::array<std::size_t, 4>& from) {
   const Patch body = teapot_body();
   Patch p = body;
@@ -279,8 +281,8 @@ inline std::vector<PatchCase> hidden_patches() {
 }
 // END HIDDEN
 
-// The last row of `a` (v = 1) is a border of `b`, in the opposite order: position i of `a` is
-// position level - i of `b`.
+// Which border of patch `b` is the last row (v = 1) of patch `a`. The order is opposite: position i
+// along the row of `a` is position level - i along the border of `b`.
 enum class Border { kFirstRow, kFirstColumn, kLastColumn };
 struct SeamCase {
   const char* what;

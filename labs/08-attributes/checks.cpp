@@ -1,4 +1,5 @@
-// The expected answers of lab 8 at pixels: quotients of exact rationals.
+// The expected answers of tasks 8.1 to 8.4, at pixels and in rows of pixels, computed in exact
+// rational numbers.
 #include <algorithm>
 #include <cmath>
 
@@ -46,12 +47,13 @@ Case expect_pixel(const PixelCase& input) {
       even_spread += Rational(at.edges[k]) * abs(a - a0);
     }
     const double value = double(sum / q);
-    // The bound: 13 u of the spread and a last rounding, as raster/interpolate.h derives it. Here
-    // too the edge functions are rounded, and the area, by which a student may divide or not, adds
-    // a rounding to each of 1/w and u/w.
+    // The bound, where u24 = 2^-24 is the unit roundoff of float. raster/formulas/interpolate.h
+    // derives 13 u24 times the spread (the weighted mean distance of the vertices' values from
+    // vertex 0's), which includes the rounding of the edge functions, plus a last rounding. Here it
+    // is 16 u24, because a student may also divide by the area, which rounds 1/w and u/w once more.
     const double bound = 16 * u24 * double(spread / q) + u24 * std::abs(value);
     expected.push_back(numbers(i == 0 ? "u" : "v", {value}, bound));
-    // With the slip: the weights of the screen, without perspective.
+    // The wrong answer "affine": it uses the weights on the screen, without perspective.
     const double on_screen = double(even / area);
     affine.push_back(numbers(i == 0 ? "u" : "v", {on_screen},
                              16 * u24 * double(even_spread / area) + u24 * std::abs(on_screen)));
@@ -83,8 +85,8 @@ ExactSpanPoint exact_span_point(const Line& line, int x) {
   return {q, (q0 * Rational(line.u0) + q1 * Rational(line.u1)) / q};
 }
 
-// R |u| of the contracts: the error that u of the largest u/w becomes after the division by the
-// smallest 1/w.
+// R |u| in the error bounds of student.h: an error that is relative to the largest u/w is divided
+// by the smallest 1/w. R is the largest 1/w over the smallest one, and |u| the largest coordinate.
 double scale_of(const Line& line) {
   const double larger = std::max(line.inverse_w0, line.inverse_w1);
   return larger / std::min(line.inverse_w0, line.inverse_w1) *
@@ -96,9 +98,10 @@ std::string line_text(const Line& line) {
                      line.inverse_w0, line.inverse_w1, line.pixels);
 }
 
-// Adding up 1/w and u/w step by step rounds each `pixels` times, and the ends and the division a
-// few times more; adding up u within a span rounds no more often than it saves roundings of the
-// others.
+// The bound is for a student who adds up 1/w and u/w from pixel to pixel: each of the two sums
+// rounds `pixels` times, and the values at both ends and the division round a few times more. A
+// student who adds up u within each span needs 1/w and u/w only at the ends of spans, and so has no
+// more roundings in total.
 Case expect_span(const SpanCase& input) {
   const Line& line = input.line;
   std::vector<double> values, at_borders, even;
@@ -124,7 +127,8 @@ Case expect_span(const SpanCase& input) {
           .slipped = {{"half-pixel", expected(at_borders)}, {"affine", expected(even)}}};
 }
 
-// The largest error over the spans, by the law of task 8.3.
+// The largest error of linear interpolation in any span, by the law of task 8.3: |du| (sqrt r - 1)
+// / (sqrt r + 1).
 Decimal largest_span_error(const Line& line, int every) {
   Decimal largest;
   for (int first = 0; first < line.pixels; first += every) {
@@ -138,8 +142,10 @@ Decimal largest_span_error(const Line& line, int every) {
   return largest;
 }
 
-// du is the difference of two coordinates, each with an error of 8 R u; r has an error of 16 R u,
-// which its root halves, and the sum of 2 below halves it again.
+// The bound 64 R u53 |u| (u53 = 2^-53) of the error |du| (sqrt r - 1) / (sqrt r + 1). du is the
+// difference of two coordinates with errors of 8 R u53 |u| each. r has a relative error of 16 R
+// u53, and its square root half of that. The quotient gets at most half of the root's error,
+// because sqrt r + 1 is at least 2.
 Case expect_choice(const ChoiceCase& input) {
   const Line& line = input.line;
   int every = 1;
@@ -162,15 +168,16 @@ Case expect_choice(const ChoiceCase& input) {
 
 // ---- footprints ----
 
-// The slip: the derivatives of coordinates that are planes over the screen, as they are where all
-// 1/w are 1.
+// The input for the wrong answer "affine", which takes u and v as linear over the screen. They are
+// linear if 1/w is 1 at all vertices.
 FootprintCase without_perspective(FootprintCase input) {
   for (TexturedVertex& vertex : input.triangle) vertex.inverse_w = 1;
   return input;
 }
 
-// The derivative of N / D for N = sum E_k q_k a_k and D = sum E_k q_k, where E_k are the edge
-// functions: (N/D)' = (N' - (N/D) D') / D.
+// The derivatives along screen x and y of an attribute N / D, with N = sum E_k q_k a_k and D = sum
+// E_k q_k. For vertex k, E_k is the edge function, q_k is 1/w and a_k the attribute. The quotient
+// rule gives (N/D)' = (N' - (N/D) D') / D.
 struct ExactGradient {
   Rational along_x, along_y;
 };
@@ -193,10 +200,13 @@ ExactGradient exact_gradient(const FootprintCase& input, Attribute attribute) {
   return {(nx - n / d * dx) / d, (ny - n / d * dy) / d};
 }
 
-// Take the largest 1/w as unit, e as the longer side of the box and s = e^2 / area. The slope of a
-// plane has an error of 20 u s / e, its value at the pixel one of 48 u s, which is 48 u k of the
-// value there. (P' - (P/Q) Q') / Q has terms up to 4 k U / e each, with U doubled where coordinates
-// are taken relative to vertex 0. With the errors of P/Q, Q' and 1/Q that gives 1600 k^2 (U/e) u.
+// The bound 2048 k^2 (U/e) u of task 8.4: U is the largest |attribute|, e the longer side of the
+// bounding box, u the unit roundoff of double, and k is computed below. Let the largest 1/w be 1
+// and s = e^2 / area. P = attribute/w and Q = 1/w are planes over the screen. The slope of a plane
+// has an error of 20 u s / e, and its value at the pixel one of 48 u s, which is 48 u k relative to
+// Q there. The terms of the derivative (P' - (P/Q) Q') / Q are at most 4 k U / e each, where U is
+// doubled because coordinates may be taken relative to vertex 0. With the errors of P/Q, Q' and
+// 1/Q, that gives 1600 k^2 (U/e) u.
 double gradient_bound(const FootprintCase& input, Attribute attribute) {
   const auto& [a, b, c] = input.triangle;
   const auto [left, right] = std::minmax({a.x, b.x, c.x});
@@ -233,8 +243,9 @@ ExpectedFootprint footprint_of(const FootprintCase& input) {
       std::hypot(input.width * double(u.along_y), input.height * double(v.along_y));
   const double longer = std::max(along_x, along_y);
   const double last = std::log2(double(std::max(input.width, input.height)));
-  // The error of the level is the error of the length divided by the length and ln 2 (a length
-  // below 1 is level 0), and the roundings of lengths and logarithm.
+  // The level is log2(length). The error of the length is therefore divided by the length and by ln
+  // 2; a length below 1 always gives level 0, so at least 0.5 is used for the length. The roundings
+  // of the lengths and of the logarithm are added.
   const double of_length = std::hypot(input.width * u_bound, input.height * v_bound);
   const double level_bound = of_length / std::max(longer, 0.5) / std::log(2.0) + 16 * u53 * last;
   const double level = std::clamp(longer > 0 ? std::log2(longer) : 0, 0.0, last);

@@ -1,4 +1,5 @@
-// The expected answers of lab 8 on curved surfaces: Bezier patches in exact rationals.
+// The expected answers of tasks 8.5 and 8.6, on curved surfaces: Bezier patches in exact rational
+// numbers.
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +43,7 @@ ExactPoint between(const ExactPoint& a, const ExactPoint& b, const Rational& t) 
   return p;
 }
 
-// A point of a Bezier curve by De Casteljau's construction.
+// The point of a Bezier curve at the parameter t, by De Casteljau's construction.
 ExactPoint bezier_point(std::array<ExactPoint, 4> p, const Rational& t) {
   for (std::size_t left = 3; left > 0; --left) {
     for (std::size_t i = 0; i < left; ++i) p[i] = between(p[i], p[i + 1], t);
@@ -61,10 +62,11 @@ void add(const ExactPoint& p, std::vector<double>& numbers) {
   for (const Rational& x : p) numbers.push_back(double(x));
 }
 
-// De Casteljau with a rounded t: six steps of three roundings each; and an error of u in t moves
-// the point by up to 3 * 2 times the largest coordinate along each of the two parameters: 30 u.
-// Sums of products with Bernstein polynomials in powers of t: 9 roundings of the weights and 3 of
-// the sum, twice: 24 u. The bound is twice that.
+// The bound is 64 u (u = 2^-53 is the unit roundoff) times the largest coordinate, twice the error
+// of either method. De Casteljau's construction has six steps of three roundings, 18 u. Also, an
+// error of u in a parameter moves the point by up to 3 * 2 u of the largest coordinate, for each of
+// the two parameters: 30 u together. A sum with Bernstein polynomials, in powers of t, rounds 9
+// times for a weight and 3 times for the sum, and this twice, along u and along v: 24 u.
 double position_bound(const Patch& patch) {
   double largest = 0;
   for (const auto& row : patch.rows) {
@@ -115,7 +117,8 @@ Case expect_patch(const PatchCase& input) {
 
 // ---- seams ----
 
-// Checks that both borders are within the bound of the exact one, and equal to the last bit.
+// Checks that the borders of both patches are within the bound of the exact border, and that they
+// are equal to each other to the last bit.
 std::optional<Divergence> judge_seam(const SeamCase& input, const Answer& answer) {
   const Rows rows = exact_rows(input.a);
   std::vector<double> border;
@@ -143,8 +146,8 @@ Case expect_seam(const SeamCase& input) {
 
 // ---- levels ----
 
-// The longest of the vectors sum_k factor_k P[j + dj_k][i + di_k], over all i and j for which the
-// points exist.
+// A term of a difference of control points: factor P[j + dj][i + di]. longest() adds up the terms
+// for every i and j for which all these points exist, and returns the length of the longest sum.
 struct Term {
   std::size_t di, dj;
   int factor;

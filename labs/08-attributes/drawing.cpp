@@ -23,9 +23,9 @@ namespace lab_08_drawing {
 constexpr double u24 = double(unit_roundoff<float>);
 constexpr double u53 = unit_roundoff<double>;
 
-// ---- a question about fragments, as stages.cpp reads it ----
+// ---- a question to the student's function, in the order in which stages.cpp reads it ----
 
-constexpr std::size_t kHead = 3;          // pairs, width, height
+constexpr std::size_t kHead = 3;  // how many pairs of attributes; the texture's width and height
 constexpr std::size_t kPixelNumbers = 5;  // x, y, three edge functions
 
 struct Corner {
@@ -52,7 +52,7 @@ struct ParsedQuestion {
   std::size_t numbers_per_pixel() const { return 2 * pairs + (width > 0 ? 1 : 0); }
 };
 
-// The perspective-correct weights of the corners, from the edge functions.
+// The perspective-correct weights of the three corners, from the edge functions and 1/w.
 std::array<double, 3> weights_at(const ParsedQuestion& asked, std::span<const double> pixel) {
   std::array<double, 3> share{};
   for (std::size_t k = 0; k < 3; ++k) share[k] = pixel[2 + k] * asked.corners[k].inverse_w;
@@ -81,8 +81,9 @@ Edges edges_at(const ParsedQuestion& asked, double x, double y) {
   return edges;
 }
 
-// The derivative of N / D for N = sum E_k q_k a_k and D = sum E_k q_k, where E_k are the edge
-// functions: (N/D)' = (N' - (N/D) D')/D.
+// The derivatives along screen x and y of an attribute N / D, with N = sum E_k q_k a_k and D = sum
+// E_k q_k. For corner k, E_k is the edge function, q_k is 1/w and a_k the attribute. The quotient
+// rule gives (N/D)' = (N' - (N/D) D') / D.
 Gradient gradient_of(const ParsedQuestion& asked, const Edges& edges, std::size_t attribute) {
   double n = 0, d = 0, nx = 0, ny = 0, dx = 0, dy = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -94,8 +95,9 @@ Gradient gradient_of(const ParsedQuestion& asked, const Edges& edges, std::size_
   return {(nx - n / d * dx) / d, (ny - n / d * dy) / d};
 }
 
-// The bound of task 8.4: 2048 k^2 (U / e) u53 with k = (e^2 / twice the area) (largest 1/w / 1/w at
-// the pixel).
+// The bound of task 8.4: 2048 k^2 (U / e) u53. U is the largest |attribute| of the corners, e the
+// longer side of the triangle's bounding box, and u53 = 2^-53. k = (e^2 / twice the area) (the
+// largest 1/w / the 1/w at the pixel).
 double gradient_bound(const ParsedQuestion& asked, const Edges& edges, std::size_t attribute) {
   double left = INFINITY, right = -INFINITY, top = INFINITY, bottom = -INFINITY;
   double largest = 0, largest_w = 0, area = 0, here = 0;
@@ -125,8 +127,8 @@ Level level_at(const ParsedQuestion& asked, std::span<const double> pixel) {
   const double last = std::log2(std::max(asked.width, asked.height));
   const double off = std::hypot(asked.width * gradient_bound(asked, edges, 0),
                                 asked.height * gradient_bound(asked, edges, 1));
-  // log2 magnifies an error by 1 / (length ln 2), and below a length of 1 the level is 0. The
-  // student's answer and ours both have errors.
+  // log2 multiplies an error of the length by 1 / (length ln 2). Lengths below 1 all give level 0.
+  // The bound is doubled, because both the student's level and ours have this error.
   return {std::clamp(longer > 0 ? std::log2(longer) : 0.0, 0.0, last),
           2 * off / std::max(longer, 0.5) / std::log(2.0) + 32 * u53 * last};
 }
@@ -155,8 +157,8 @@ Numbers attributes(RecordReader& in) {
 
 using Vec = Vector<Object, double>;
 
-// Computed from integers, so that i/n from one end and (n-i)/n from the other give the same four
-// numbers.
+// The Bernstein polynomials at i/n. They are computed from integers, so that at (n - i)/n they are
+// exactly the same four numbers in the opposite order.
 std::array<double, 4> bernstein(int i, int n) {
   const double a = n - i, b = i, whole = double(n) * n * n;
   return {a * a * a / whole, 3 * (a * a * b) / whole, 3 * (a * b * b) / whole, b * b * b / whole};
@@ -211,7 +213,8 @@ std::optional<WrongNumber> judge_attributes(const Numbers& in, const Numbers& yo
         std::min(i / numbers_per_pixel * kPixelNumbers, asked.pixels.size() - kPixelNumbers),
         kPixelNumbers);
   };
-  // The bound of the contract: 16 u24 (b1 |a1 - a0| + b2 |a2 - a0|) + u24 |a|.
+  // The bound of task 8.1 for an attribute a: 16 u24 (b1 |a1 - a0| + b2 |a2 - a0|) + u24 |a|, where
+  // a0, a1, a2 are the corners' values, b1, b2 their weights, and u24 = 2^-24.
   const auto bound = [&](std::size_t i) {
     const std::span<const double> pixel = pixel_of(i);
     const std::size_t k = i % numbers_per_pixel;
@@ -230,7 +233,8 @@ std::optional<WrongNumber> judge_attributes(const Numbers& in, const Numbers& yo
   });
 }
 
-// The bound: 64 u53 times the largest coordinate of a control point.
+// The bound of task 8.5 for a position: 64 u53 (u53 = 2^-53) times the largest coordinate of a
+// control point.
 std::optional<WrongNumber> judge_patch(const Numbers& in, const Numbers& yours,
                                        const Numbers& reference) {
   double largest = 0;
@@ -251,8 +255,9 @@ std::optional<WrongNumber> judge_patch(const Numbers& in, const Numbers& yours,
 
 // ---- the teapot ----
 
-// The level of the teapot, if the scene is the built-in teapot: 32 patches of n x n cells of two
-// triangles, 8 of them with a pole.
+// The level n of the built-in teapot, or 0 for another scene. The teapot has 32 patches of n x n
+// cells with two triangles each. In 8 patches one row is a pole, where each of the n cells has a
+// single triangle.
 int teapot_level(const Scene& scene) {
   if (scene.name != "teapot" || !scene.file.empty() || scene.meshes.size() != 1) return 0;
   for (int n = 1; n <= 256; ++n) {
@@ -268,18 +273,19 @@ std::vector<Question> patch_questions(int level) {
     question.numbers.push_back(level);
     for (const std::uint16_t index : indices) {
       const auto& p = kTeapotPoints[index];
-      append_point(question.numbers, Vec(p[0], p[2], 0 - p[1]));  // from z up to y up
+      // the teapot has z up, the scene y up
+      append_point(question.numbers, Vec(p[0], p[2], 0 - p[1]));
     }
     questions.push_back(std::move(question));
   }
   return questions;
 }
 
-// The teapot made of the student's patches. Normals and texture coordinates are those of the
-// original teapot, which has the ones of each patch one after the other.
+// The teapot made of the student's patches. It keeps the normals and texture coordinates of the
+// original teapot, which are listed patch by patch in the order of the positions.
 Mesh teapot_of(const std::vector<Numbers>& patches, int level, Mesh mesh) {
   mesh.positions.clear(), mesh.corners.clear(), mesh.faces.clear();
-  std::map<std::array<float, 3>, std::uint32_t> shared;  // positions on the borders of patches
+  std::map<std::array<float, 3>, std::uint32_t> shared;  // finds equal positions of two patches
   const auto count = std::size_t(level + 1) * std::size_t(level + 1);
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const Numbers& answer = patches[p];
@@ -313,7 +319,8 @@ Mesh teapot_of(const std::vector<Numbers>& patches, int level, Mesh mesh) {
 
 constexpr std::size_t kPairs = 9;
 
-// The pairs of attributes: texture coordinates; normal and position; colour; light at the vertices.
+// The attributes of a fragment, which the student's function interpolates in pairs: texture
+// coordinates, normal, position, colour, diffuse light, specular light.
 std::array<float*, 2 * kPairs> varying_pointers(Varyings& v) {
   return {&v.texcoord[0], &v.texcoord[1], &v.normal[0],   &v.normal[1],  &v.normal[2],
           &v.position[0], &v.position[1], &v.position[2], &v.color[0],   &v.color[1],
@@ -430,7 +437,7 @@ private:
   const RenderSettings settings_;
   bool gathering_ = true;
   const Draw* draw_ = nullptr;
-  std::vector<std::size_t> requested_pairs_;  // indices of the pairs of varying_pointers()
+  std::vector<std::size_t> requested_pairs_;  // pairs of varying_pointers() that are needed
   std::uint32_t number_ = 0;
   const ReadyTriangle* ready_ = nullptr;
   bool question_begun_ = false, is_triangle_ = false;

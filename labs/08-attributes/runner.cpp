@@ -45,7 +45,8 @@ void put_patch(const PatchCase& input, Answer& answer) {
   answer.emit("triangles", triangles);
 }
 
-// Emits the positions along the common border, as each of the two patches has them.
+// Emits the positions along the common border of two patches: first as the first patch has them,
+// then as the second one has them.
 void put_seam(const SeamCase& input, Answer& answer) {
   const int n = input.level;
   const Tessellation a = tessellate(input.a, n), b = tessellate(input.b, n);

@@ -14,10 +14,10 @@ struct Corner {
   float inverse_w = 1;
 };
 
-// Input: the number of pairs of attributes; the size of the texture, or 0 without one (its
-// coordinates are the first pair); three corners, each with its position on the screen, 1/w and its
-// attributes; then pixels, each with x, y and the edge functions. Output: for each pixel the
-// attributes, and the mip level where there is a texture.
+// Input: the number of pairs of attributes; the width and height of the texture, or 0 if there is
+// none (texture coordinates are the first pair); three corners, each with its position on the
+// screen, 1/w and its attributes; then pixels, each with x, y and the three edge functions. Output:
+// for each pixel its attributes, and the mip level if there is a texture.
 void attributes(RecordReader& in, Numbers& out) {
   const auto pairs = std::size_t(in.number());
   const int width = in.integer(), height = in.integer();

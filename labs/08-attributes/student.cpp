@@ -11,7 +11,8 @@ namespace lab_08 {
 
 std::array<float, 2> texcoord_at(const PixelOfTriangle& at) {
   // BEGIN SOLUTION
-  // The common factor, the sum of the edge functions, cancels in the division below.
+  // share[k] is the edge function times 1/w. The sum of the edge functions is left out: as a common
+  // factor it cancels in the divisions by `sum`.
   std::array<float, 3> share;
   float sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -21,12 +22,13 @@ std::array<float, 2> texcoord_at(const PixelOfTriangle& at) {
   const float b1 = share[1] / sum, b2 = share[2] / sum;
   std::array<float, 2> result;
   for (std::size_t i = 0; i < 2; ++i) {
-    // Relative to vertex 0, so that a large common part of the coordinates is not rounded.
+    // Interpolates differences from vertex 0, so that a large part that all coordinates have in
+    // common is not rounded.
     const float a0 = at.texcoords[0][i], a1 = at.texcoords[1][i], a2 = at.texcoords[2][i];
     result[i] = a0 + (b1 * (a1 - a0) + b2 * (a2 - a0));
   }
   return result;
-  // STUB: return {NAN, NAN};  // (sum edges u/w) / (sum edges 1/w)
+  // STUB: return {NAN, NAN};  // (sum of edge * u/w) / (sum of edge * 1/w)
   // END SOLUTION
 }
 
@@ -84,7 +86,8 @@ SpanChoice longest_span(const Line& line, double tolerance) {
 Footprint footprint_at(const std::array<TexturedVertex, 3>& triangle, double x, double y, int width,
                        int height) {
   // BEGIN SOLUTION
-  // The planes of 1/w, (u - u0)/w and (v - v0)/w over the screen: differences from vertex 0.
+  // 1/w, (u - u0)/w and (v - v0)/w are linear over the screen: they are planes. u0 and v0 are the
+  // coordinates of vertex 0.
   const TexturedVertex& a = triangle[0];
   const double x1 = triangle[1].x - a.x, y1 = triangle[1].y - a.y;
   const double x2 = triangle[2].x - a.x, y2 = triangle[2].y - a.y;
@@ -101,7 +104,7 @@ Footprint footprint_at(const std::array<TexturedVertex, 3>& triangle, double x, 
   const Plane q = plane(a.inverse_w, q1, q2);
   const Plane u = plane(0, (triangle[1].u - a.u) * q1, (triangle[2].u - a.u) * q2);
   const Plane v = plane(0, (triangle[1].v - a.v) * q1, (triangle[2].v - a.v) * q2);
-  // The quotient rule: (P/Q)' = (P' - (P/Q) Q') / Q.
+  // The quotient rule for P = (u - u0)/w or (v - v0)/w and Q = 1/w: (P/Q)' = (P' - (P/Q) Q') / Q.
   const auto derivative = [&](const Plane& p, double p_along, double q_along) {
     return (p_along - p.here / q.here * q_along) / q.here;
   };
@@ -115,7 +118,7 @@ Footprint footprint_at(const std::array<TexturedVertex, 3>& triangle, double x, 
   const double last = std::log2(double(std::max(width, height)));
   f.level = longer <= 1 ? 0 : std::min(std::log2(longer), last);
   return f;
-  // STUB: return {NAN, NAN, NAN, NAN, NAN};  // (P/Q)' = (P' - (P/Q) Q') / Q
+  // STUB: return {NAN, NAN, NAN, NAN, NAN};  // (P/Q)' = (P' - (P/Q) Q') / Q, with Q = 1/w
   // END SOLUTION
 }
 
@@ -124,15 +127,16 @@ Footprint footprint_at(const std::array<TexturedVertex, 3>& triangle, double x, 
 // BEGIN SOLUTION
 using Place = Point<Object, double>;
 
-// The Bernstein polynomials at i/n, from integers: at (n - i)/n they are the same four numbers in
-// the opposite order.
+// The Bernstein polynomials at i/n, computed from integers, so that at (n - i)/n they are exactly
+// the same four numbers in the opposite order.
 static std::array<double, 4> bernstein(int i, int n) {
   const double a = n - i, b = i, whole = double(n) * n * n;
   return {a * a * a / whole, 3 * (a * a * b) / whole, 3 * (a * b * b) / whole, b * b * b / whole};
 }
 
-// Adds the outer two terms and the inner two terms first: the opposite order of the points swaps
-// terms only within these two sums, so the bits stay the same.
+// Adds the outer two terms, adds the inner two terms, then adds the two sums. If the points come in
+// the opposite order, only the terms within these sums are swapped, so the result has the same
+// bits.
 static Place on_curve(const std::array<Place, 4>& p, int i, int n) {
   const auto [a, b, c, d] = bernstein(i, n);
   return {(p[0].x * a + p[3].x * d) + (p[1].x * b + p[2].x * c),

@@ -30,18 +30,18 @@ struct PixelOfTriangle {
   std::array<std::array<float, 2>, 3> texcoords{};  // (u, v) of each vertex
 };
 
-// Task 8.1. (u, v) at the pixel centre, with perspective. Float is enough, if you choose well
-// where you begin.
+// Task 8.1. (u, v) at the pixel centre, with perspective. Float is precise enough, if you choose
+// well from where you interpolate.
 // Error bound of u (v likewise): 16 u24 (b1 |u1 - u0| + b2 |u2 - u0|) + u24 |u|, where b0, b1, b2
-// are the perspective-correct weights. So a coordinate that is equal at all vertices is right
-// to its last digit, and so are coordinates around 10^6.
+// are the perspective-correct weights. So a coordinate that is equal at all vertices must be right
+// to its last digit, and coordinates around 10^6 must be as precise as a float can be.
 std::array<float, 2> texcoord_at(const PixelOfTriangle& at);
 
 // ---- a row of pixels ----
 
-// From x = 0 to x = `pixels` (on the borders of pixels, not their centres) a texture coordinate, in
-// texels, goes from u0 to u1 and 1/w from inverse_w0 to inverse_w1, both positive.
-// 1 <= pixels <= 4096.
+// A row of pixels. From x = 0 to x = `pixels` (on the borders of pixels, not their centres) a
+// texture coordinate, in texels, goes from u0 to u1 and 1/w from inverse_w0 to inverse_w1, both
+// positive. 1 <= pixels <= 4096.
 struct Line {
   double u0 = 0, u1 = 0;
   double inverse_w0 = 1, inverse_w1 = 1;
@@ -63,10 +63,11 @@ struct SpanChoice {
 
 // Task 8.3. The longest span among 1, 2, 4, 8, ... <= pixels for which the law
 //     |du| (sqrt r - 1) / (sqrt r + 1)
-// stays at or below `tolerance` texels in each span of the line, the last one too, and the largest
-// such error. du is the change of u over the span, r >= 1 the ratio of the 1/w at its ends. A span
-// of 1 means a division in every pixel, without error. Error bound of the error: 64 R u53 |u|, with
-// R and |u| as above. No test case has a length whose error is within a millionth of the tolerance.
+// gives at most `tolerance` texels in each span of the line, the last one too; and the largest of
+// these errors. du is the change of u over the span, r >= 1 the ratio of the 1/w at its ends. A
+// span of 1 means a division in every pixel, without error. Error bound of the error: 64 R u53 |u|,
+// with R and |u| as in task 8.2. In no test case is the error of a span within a millionth of the
+// tolerance.
 SpanChoice longest_span(const Line& line, double tolerance);
 
 // ---- mip levels ----
@@ -79,11 +80,12 @@ struct TexturedVertex {
 };
 
 struct Footprint {
-  // How fast the texture coordinates change at the pixel centre: per pixel along screen x (right)
-  // and y (down).
+  // How fast the texture coordinates change at the pixel centre, for each pixel along screen x
+  // (right) and y (down).
   double du_dx = 0, du_dy = 0, dv_dx = 0, dv_dy = 0;
   // log2 of the longer of the two vectors (width du_dx, height dv_dx) and (width du_dy, height
-  // dv_dy), texels per pixel; but at least 0, and at most log2 of the larger of width and height.
+  // dv_dy), whose unit is texels per pixel; but at least 0, and at most log2 of the larger of width
+  // and height.
   double level = 0;
 };
 
@@ -123,12 +125,12 @@ Tessellation tessellate(const Patch& patch, int level);
 
 // Task 8.6. The smallest level from 1 to 256 for which
 //     (Muu + 2 Muv + Mvv) px_per_unit / (8 level^2) <= tolerance_px,
-// or 256 if there is none. Muu, Muv and Mvv are the largest lengths of the control points of the
-// second derivatives:
+// or 256 if there is none. Muu, Muv and Mvv are the largest lengths of these vectors, the control
+// points of the patch's second derivatives, over all i and j:
 //     Muu: 6 (P[j][i + 2] - 2 P[j][i + 1] + P[j][i])      Mvv: the same along j
 //     Muv: 9 (P[j + 1][i + 1] - P[j + 1][i] - P[j][i + 1] + P[j][i])
-// with P[j][i] = rows[j][i]. Exact: no test case has a level whose error is within a millionth of
-// the tolerance.
+// with P[j][i] = rows[j][i]. Exact: in no test case is the left side within a millionth of the
+// tolerance, for any level.
 int patch_level(const Patch& patch, double px_per_unit, double tolerance_px);
 
 }  // namespace lab_08

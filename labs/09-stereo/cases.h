@@ -1,4 +1,5 @@
-// The inputs of lab 9's cases, shared by runner and judge.
+// The inputs of lab 9's test cases: for the runner, which calls the student's functions, and for
+// the checks, which compute the expected answers.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,7 @@ struct ProjectionCase {
   Pair pair;
 };
 
-// A projection with the given rows of x and z; the scale of y is that of x.
+// A perspective projection to x' = scale x + off_middle z, y' = scale y, z' = a z + b and w' = -z.
 inline Transform<Clip, Eye> perspective_matrix(double scale, double off_middle, double a,
                                                double b) {
   Transform<Clip, Eye> m;
@@ -44,7 +45,7 @@ inline Transform<Clip, Eye> parallel_matrix(double scale, double off_middle, dou
   return m;
 }
 
-// Projections with near 1, far 5, and with near 2, far 18.
+// Projections with the near plane at 1 and the far plane at 5, or at 2 and at 18.
 inline std::vector<ProjectionCase> projections() {
   return {
       {"a window at 4", perspective_matrix(2, 0, -1.25, -1.25), {0.5, 4}},
@@ -77,8 +78,9 @@ inline std::vector<ProjectionCase> hidden_projections() {
 }
 // END HIDDEN
 
-// Two eyes without skew, whose pictures show more columns at the sides; the pictures are then
-// shifted against each other and cropped. p = s scale width / window is a whole number of pixels.
+// Two parallel eyes, without skew: their pictures are drawn with more columns at the sides, then
+// shifted against each other and cropped. The shift s scale width / window, where s is half the
+// separation, is a whole number of pixels.
 struct CropCase {
   const char* what;
   double scale;
@@ -151,14 +153,15 @@ struct CullCase {
   }
 };
 
-// A point in the clip space of both eyes: a square picture with scale 1, near plane at 1, far plane
-// at 65. Scaled so that w = distance; a negative distance is behind the eye.
+// The point (x, y) at this distance, in the clip space of both eyes: a square picture with scale 1,
+// the near plane at 1 and the far plane at 65. w is the distance; a negative distance is behind the
+// eye.
 inline StereoPoint seen_at(const Pair& pair, double x, double y, double distance) {
   const double shift = pair.half_separation * (1 - distance / pair.window);
   return {float(x + shift), float(x - shift), float(y), float((distance - 1) * 65 / 64),
           float(distance)};
 }
-// A small upright triangle.
+// An upright triangle, 0.25 high, with all corners at the same distance.
 inline std::array<StereoPoint, 3> upright(const Pair& pair, double x0, double x1, double y,
                                           double distance) {
   return {seen_at(pair, x0, y, distance), seen_at(pair, x1, y, distance),
@@ -207,7 +210,8 @@ inline std::vector<CullCase> hidden_triangles() {
           {StereoPoint{8, 6, 0, 4, 8}, {9, 9, 0, 4, 8}, {9, 9, 1, 4, 8}});
   odd.add("far before the near plane",
           {StereoPoint{1, 0, 0, -9, 2}, {1, 0, 1, -9, 2}, {0, -1, 0, -8, 2}});
-  // One corner is on a plane, and nothing is inside it.
+  // Each of these triangles has one corner on a plane and the others outside it. A corner on the
+  // plane is inside, so the triangle is drawn.
   odd.add("with a corner on the far plane",
           {StereoPoint{0, 0, 0, 8, 8}, {1, 1, 0, 9, 8}, {0, 0, 1, 9, 8}});
   odd.add("with a corner on the top plane",

@@ -1,5 +1,5 @@
-// The expected answers of lab 9: by exact rationals, and by the pipeline's own culling, cropping
-// and comfort. Pictures are in pictures.h.
+// The expected answers of lab 9, from exact rational numbers and from the pipeline's own functions
+// for culling, for cropping and for comfortable separations. pictures.h has those of the anaglyphs.
 #include <algorithm>
 #include <cmath>
 
@@ -35,7 +35,8 @@ Rational inverse(double distance) {
   return std::isinf(distance) ? Rational(0) : Rational(1) / Rational(distance);
 }
 
-// A camera between the eyes whose projection has this entry (0, 0), and a picture of this width.
+// The camera between the eyes: its projection has picture.scale as entry (0, 0), and its picture is
+// picture.width pixels wide.
 View centre_view(const Picture& picture) {
   View view;
   view.clip_from_eye = perspective_matrix(picture.scale, 0, -1.25, -1.25);
@@ -59,8 +60,10 @@ std::vector<Expected> projection_fields(lab_09::Side side, const Matrix4<Rationa
           matrix(name_of_eye(side) + ", rows of y, z, w", 4, others)};
 }
 
-// m02 + m00 (s/f): a quotient, a product and a sum round, to 3 u (|m00 s/f| + |m02|); m03 + m00 s
-// likewise.
+// The changed entries are m02 + m00 (s/f) and m03 + m00 s, where m is the centre's projection. A
+// quotient, a product and a sum round, so the first has an error of at most 3 u (|m00 s/f| +
+// |m02|), where u = 2^-53 is the unit roundoff, and the second one likewise. That is below 8 u
+// times the largest of these numbers.
 Case expect_projection(const ProjectionCase& input) {
   const auto& [what, given, pair] = input;
   const double s = pair.half_separation, scale = std::abs(given.at(0, 0));
@@ -94,7 +97,8 @@ Case expect_projection(const ProjectionCase& input) {
     add(c.slipped[2].expected, skew * projection);
     add(c.slipped[3].expected, projection * backwards);
   }
-  // With the other order a sum has terms of the projection's other rows, each of them rounded.
+  // If the matrices are multiplied in the wrong order, entries become rounded sums with other rows
+  // of the projection, so every entry gets a bound for its own size.
   for (Expected& each : c.slipped[2].expected) {
     for (const double value : each.values)
       each.bound = std::max(each.bound, 8 * u * std::abs(value));
@@ -105,9 +109,12 @@ Case expect_projection(const ProjectionCase& input) {
   return c;
 }
 
-// In both ways the entries have errors of 3 u. x sums three products of the size `terms` together
-// (a x, a s z/f, a s), is divided by w, and the pixel position needs a sum and two products more:
-// below 16 u (terms/w + 1) columns for each way.
+// The bound for positions in the picture. With skewed eyes (the student's) and with cropping
+// (ours), the matrix entries have errors of 3 u. In clip space, x is the sum of a x, a s z/f and a
+// s, where a is the scale, s half the separation and f the distance of the window, and it is
+// divided by w; `terms` is the sum of their sizes divided by w. A sum and two products make it a
+// position in pixels. Altogether that is below 16 u (terms + 1) times the number of columns, for
+// each of the two.
 Case expect_crop(const CropCase& input) {
   const Picture picture{input.scale, input.width};
   const auto cut = align_and_crop(centre_view(picture), pair_of(input.pair)).value();
@@ -138,7 +145,7 @@ Case expect_crop(const CropCase& input) {
 
 // ---- parallax ----
 
-// A difference, two quotients and four products round.
+// A difference, two quotients and four products round: 7 u of the parallax, below the allowed 16 u.
 Case expect_parallax(const ParallaxCase& input) {
   const auto& [what, pair, picture, z] = input;
   const Rational half_widths = Rational(2) * Rational(pair.half_separation) *
@@ -156,7 +163,7 @@ Case expect_parallax(const ParallaxCase& input) {
 
 // ---- culling ----
 
-// Whether neither eye sees the triangle, with the slip of a near plane at z = -w.
+// Whether no eye sees the triangle, if the near plane is wrongly taken to be z = -w as in OpenGL.
 bool unseen_with_opengl_near(const std::array<StereoPoint, 3>& triangle) {
   const auto all = [&](auto outside) { return std::ranges::all_of(triangle, outside); };
   using P = const StereoPoint&;
@@ -198,9 +205,10 @@ Case expect_culled(const CullCase& input) {
 
 // ---- comfort ----
 
-// A limit is a quotient by a parallax, with an error of 10 u, and the pipeline's own limit is 12 u
-// smaller. A step of the filter rounds three times, 4 u, and earlier errors shrink by
-// 1/(1 + frames) in each step: 22 u + 4 (1 + frames) u.
+// The bound. A limit is a quotient with a parallax as its divisor, with an error of 10 u, and the
+// pipeline reduces its own limit by 12 u, so that rounding cannot exceed the budget: 22 u. A step
+// of the filter rounds three times: at most 4 u. It multiplies earlier errors by frames / (1 +
+// frames), so the errors of all steps add up to at most 4 (1 + frames) u.
 Case expect_comfort(const ComfortCase& input) {
   const View centre = centre_view(input.picture);
   const ParallaxBudget budget{input.budget.in_front_px, input.budget.behind_px};

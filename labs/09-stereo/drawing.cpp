@@ -20,10 +20,10 @@ namespace glassbox::labs {
 namespace lab_09_drawing {
 
 constexpr double u = unit_roundoff<double>;
-constexpr double kDraw = 1, kCull = 2;  // lab_09::Verdict
-// how many rows of the picture one question of "anaglyph" has
+constexpr double kDraw = 1, kCull = 2;  // the values of lab_09::Verdict
+// The number of rows of the picture in one question of the stage "anaglyph".
 constexpr int kRows = 16;
-constexpr std::size_t kSizes = 2;  // width and height come before the pixels in its answer
+constexpr std::size_t kSizes = 2;  // an answer has the width and height before the pixels
 using Projection = Transform<Clip, Eye>;
 
 // ---- the reference ----
@@ -43,7 +43,7 @@ struct Corner {
 
 using HorizontalCoordinate = double Corner::*;
 
-// Whether an eye has all corners outside one of its planes.
+// Whether all corners are outside the same plane of an eye's frustum. `x` is left_x or right_x.
 bool is_outside_frustum(const std::array<Corner, 3>& corners, HorizontalCoordinate x) {
   const auto all = [&](auto outside) {
     return std::all_of(corners.begin(), corners.end(), outside);
@@ -64,7 +64,7 @@ Numbers verdict(RecordReader& in) {
   return {unseen ? kCull : kDraw};
 }
 
-// The channel red from the left eye, green and blue from the right eye.
+// Makes the picture of both eyes: red is the left eye's, green and blue are the right eye's.
 Numbers anaglyph(RecordReader& in) {
   const auto width = std::size_t(in.number()), height = std::size_t(in.number());
   const auto background = std::uint32_t(in.number());
@@ -90,8 +90,9 @@ Numbers anaglyph(RecordReader& in) {
 
 // ---- judgement ----
 
-// The bounds: the rows of y, z and w bit for bit; in the row of x 8 u times the largest of |m00
-// s/f|, |m02|, |m00 s| and |m03|, for the student's matrix and as much for ours.
+// The rows of y, z and w must be right bit for bit. The bound of the row of x is 8 u (u = 2^-53)
+// times the largest of |m00 s/f|, |m02|, |m00 s| and |m03| for the student's matrix, and as much
+// again for the reference's; m is the centre's projection.
 std::optional<WrongNumber> judge_eye(const Numbers& in, const Numbers& yours,
                                      const Numbers& reference) {
   const double s = in[0], f = in[1], m00 = in[3], m02 = in[5], m03 = in[6];
@@ -140,8 +141,9 @@ double packed(const Rgba8& c) {
   return 65536.0 * c.r + 256.0 * c.g + c.b;
 }
 
-// Watches one eye: gathers its corners, leaves out the triangles that are culled, and gathers the
-// fragments that are written.
+// Observes the drawing of one eye's picture. In the first run it collects the corners of all
+// triangles. In later runs it removes the culled triangles, and it can collect the fragments that
+// are written.
 class StageObserver : public Observer {
 public:
   void draw(const Draw& draw) override { draw_ = &draw; }
@@ -168,7 +170,8 @@ public:
   }
   void gather_fragments(std::vector<EyeFragment>* seen) { fragments_ = seen; }
 
-  std::vector<std::uint32_t> numbers;  // of triangles, which have three corners each
+  // numbers of the triangles, each with three corners in `clip`
+  std::vector<std::uint32_t> numbers;
   std::vector<Point<Clip>> clip;
 
 private:
@@ -205,7 +208,8 @@ Result<void> ask_for_eyes(const StereoPair& pair, std::array<PictureSetup, 2>& e
   return {};
 }
 
-// The corners of both eyes; y, z and w are those of the left one.
+// One question for each triangle: its corners, with x for both eyes. y, z and w are the left eye's;
+// the right eye's are the same.
 std::vector<Question> verdict_questions(const StageObserver& left, const StageObserver& right) {
   std::vector<Question> questions;
   for (std::size_t t = 0; t < left.numbers.size(); ++t) {
@@ -237,7 +241,7 @@ Result<void> ask_for_verdicts(std::array<PictureSetup, 2>& eyes,
   return {};
 }
 
-// One question for some rows of the picture each.
+// One question for every kRows rows of the picture.
 std::vector<Question> anaglyph_questions(const std::array<std::vector<EyeFragment>, 2>& seen,
                                          int width, int height, const Rgba8& background) {
   std::vector<Question> questions;

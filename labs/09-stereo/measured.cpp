@@ -1,5 +1,5 @@
-// Lab 9 in the chart of the experiment on culling a stereo pair (D-10): what both eyes' pictures
-// lose where the student's function culls.
+// Lab 9 in the chart of the experiment on culling a stereo pair (D-10): how many pixels are missing
+// in both eyes' pictures if the student's function culls the triangles.
 #include <memory>
 
 #include "labs/measuring/measuring.h"
@@ -13,9 +13,9 @@ namespace lab_09_measured {
 
 using namespace study::d10;
 
-constexpr double kCull = 2;  // lab_09::Verdict
+constexpr double kCull = 2;  // the value of lab_09::Verdict::kCull
 
-// All triangles, one draw after the other.
+// The corners of all triangles, draw after draw, for the student's program.
 Numbers question(const Eyes& eyes) {
   Numbers numbers;
   for (std::size_t draw = 0; draw < eyes.list.draws.size(); ++draw) {
@@ -33,7 +33,7 @@ Numbers question(const Eyes& eyes) {
   return numbers;
 }
 
-// The number of triangles that no eye sees, by the experiment's own planes.
+// The number of triangles that the experiment's own method culls, because no eye sees them.
 double count_invisible_triangles(const Eyes& eyes) {
   double culled = 0;
   for (std::size_t draw = 0; draw < eyes.list.draws.size(); ++draw) {
@@ -44,8 +44,9 @@ double count_invisible_triangles(const Eyes& eyes) {
   return culled;
 }
 
-// NaN where the answer is too short, or where it culls less than half of the triangles that could
-// be culled: a function that culls nothing loses nothing, and takes no time.
+// The number of lost pixels for each row and eye. It is NaN if the answer is too short, or if it
+// culls less than half of the triangles that no eye sees: a function that culls nothing would lose
+// nothing and take no time.
 Result<double> measure_lost_columns(const Ask& ask, const Eyes& eyes) {
   const auto answers = ask({question(eyes)});
   if (!answers) return tl::unexpected(answers.error());

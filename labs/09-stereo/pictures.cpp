@@ -16,7 +16,7 @@ using exact::Rational;
 
 namespace lab_09_pictures {
 
-// Whether the first or the last of equally near fragments is visible.
+// Which of equally near fragments is visible, the first or the last. The first one is right.
 enum class Ties { kFirst, kLast };
 
 Image<Rgba8> picture_of(const Anaglyph& anaglyph, const std::vector<Fragment>& fragments,
@@ -39,7 +39,7 @@ Image<Rgba8> picture_of(const Anaglyph& anaglyph, const std::vector<Fragment>& f
 
 }  // namespace lab_09_pictures
 
-// The expected picture: each eye's own picture, combined by make_anaglyph.
+// The expected picture: the pictures of both eyes, combined by make_anaglyph.
 Case expect_anaglyph(const AnaglyphCase& input) {
   using namespace lab_09_pictures;
   const Anaglyph& a = input.anaglyph;
@@ -82,8 +82,10 @@ Case expect_anaglyph(const AnaglyphCase& input) {
                       {"y-direction", expected(Ties::kFirst, true)}}};
 }
 
-// Recoloured colours are at most 1 and have errors of 10 u. The sizes of a row add up to less than
-// 1.5, and six products and their sum round: 15 u + 9 u.
+// The bound is 32 u (u = 2^-53 is the unit roundoff). Recoloured channels are at most 1 and have
+// errors of 10 u. The absolute values of a row of the matrix add up to less than 1.5, which makes
+// 15 u of these errors. Six products and their sum add rounding errors of 6 u times at most 1.5,
+// which is 9 u. Both together are 24 u.
 Case expect_colour(const ColourCase& input) {
   using namespace lab_09_pictures;
   const Rational k(input.recolour.desaturate), b(input.recolour.brighten), one(1);

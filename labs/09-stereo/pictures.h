@@ -1,4 +1,5 @@
-// The expected answers for anaglyphs: by the composition of images/stereo, and by exact rationals.
+// The expected answers for anaglyphs: pictures combined by images/stereo, and colours computed in
+// exact rational numbers.
 #pragma once
 
 #include "labs/09-stereo/cases.h"

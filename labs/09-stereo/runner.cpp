@@ -18,7 +18,7 @@ void projection(const ProjectionCase& input, Answer& answer) {
   }
 }
 
-// Emits the positions of the points in the pictures of your eyes.
+// Emits the x position, in pixels, at which the picture of each of your eyes shows each point.
 void crop(const CropCase& input, Answer& answer) {
   const Transform<Clip, Eye> centre = perspective_matrix(input.scale, 0, -1.25, -1.25);
   for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -37,7 +37,7 @@ void parallax(const ParallaxCase& input, Answer& answer) {
   answer.emit("px and percent", {found.px, found.percent});
 }
 
-// Emits 1 for a drawn triangle, 2 for a culled one.
+// Emits 1 for a triangle that is drawn, 2 for one that is culled.
 void culled(const CullCase& input, Answer& answer) {
   std::vector<double> verdicts;
   for (const auto& triangle : input.triangles) verdicts.push_back(int(cull(triangle)));

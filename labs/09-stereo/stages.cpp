@@ -9,15 +9,15 @@ using glassbox::labs::append_matrix;
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// Input: s, f, 0 for the left eye or 1 for the right one, and the centre's projection. Output: the
-// eye's projection.
+// Input: half the separation s, the window's distance f, 0 for the left eye or 1 for the right one,
+// and the centre camera's projection. Output: the eye's projection.
 void eye(RecordReader& in, Numbers& out) {
   const Pair pair{in.number(), in.number()};
   const Side side = in.number() == 0 ? Side::kLeft : Side::kRight;
   append_matrix(out, eye_projection(in.matrix<Transform<Clip, Eye>>(), pair, side));
 }
 
-// Input: three corners: left x, right x, y, z, w. Output: the verdict on the triangle.
+// Input: three corners: x for the left eye, x for the right eye, y, z, w. Output: the Verdict.
 void verdict(RecordReader& in, Numbers& out) {
   std::array<StereoPoint, 3> triangle;
   for (StereoPoint& p : triangle) {
@@ -35,9 +35,9 @@ Rgba8 colour(RecordReader& in) {
   return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb), 255};
 }
 
-// Input: width, height, background, how many fragments the left eye has, then fragments: x, y,
-// depth, colour (65536 red + 256 green + blue). Output: the picture's width and height, then its
-// pixels row by row.
+// Input: width, height, background, how many fragments the left eye has, then the left eye's
+// fragments and the right eye's: x, y, depth, colour (65536 red + 256 green + blue). Output: the
+// picture's width and height, then its pixels row by row.
 void anaglyph(RecordReader& in, Numbers& out) {
   Anaglyph asked;
   asked.width = in.integer();

@@ -16,7 +16,7 @@ Transform<Clip, Eye> eye_projection(const Transform<Clip, Eye>& clip_from_eye, c
   skew.at(0, 2) = s / pair.window;
   skew.at(0, 3) = s;
   return clip_from_eye * skew;
-  // STUB: return Transform<Clip, Eye>(glm::dmat4(NAN));  // the centre's after the skew
+  // STUB: return Transform<Clip, Eye>(glm::dmat4(NAN));  // the skew, then the centre's projection
   // END SOLUTION
 }
 
@@ -25,7 +25,8 @@ Transform<Clip, Eye> eye_projection(const Transform<Clip, Eye>& clip_from_eye, c
 Parallax parallax_at(const Pair& pair, const Picture& picture, double distance) {
   // BEGIN SOLUTION
   const double f = pair.window, z = distance;
-  // 1/f - 1/z. The difference z - f comes first: there it is exact, or as good as exact.
+  // Computes 1/f - 1/z from the difference z - f. Near the window, where z is almost f, this
+  // difference is exact, and 1/f - 1/z would be the difference of two rounded numbers.
   double closeness = (z - f) / f / z;
   if (std::isinf(z)) {
     closeness = 1 / f;
@@ -34,7 +35,7 @@ Parallax parallax_at(const Pair& pair, const Picture& picture, double distance) 
   }
   const double half_widths = 2 * pair.half_separation * picture.scale * closeness;
   return {half_widths * picture.width / 2, half_widths * 50};
-  // STUB: return {NAN, NAN};  // right minus left
+  // STUB: return {NAN, NAN};  // x in the right picture minus x in the left one
   // END SOLUTION
 }
 
@@ -100,7 +101,7 @@ Colour anaglyph_colour(const Matrix& matrix, const Recolour& recolour, const Col
     shown[i] = std::clamp(sum, 0.0, 1.0);
   }
   return shown;
-  // STUB: return {NAN, NAN, NAN};  // recolour, mix, clamp
+  // STUB: return {NAN, NAN, NAN};  // recolour, multiply by the matrix, clamp
   // END SOLUTION
 }
 
@@ -123,7 +124,7 @@ std::vector<double> comfortable_separations(const Picture& picture, const Budget
     separations.push_back(limit <= last ? limit : last + (limit - last) / (1 + release_frames));
   }
   return separations;
-  // STUB: return {};  // one for each frame
+  // STUB: return {};  // a separation for each frame
   // END SOLUTION
 }
 

@@ -23,9 +23,9 @@ using glassbox::Transform;
 
 enum class Side { kLeft, kRight };
 
-// The left eye is `half_separation` = s to the left of the centre camera, the right eye as far to
-// the right. A point at the distance `window` = f has no parallax. World units. s >= 0; f > 0, and
-// f may be infinite: then the eyes have no skew.
+// The left eye is `half_separation` = s to the left of the centre camera, the right eye is s to the
+// right of it. A point at the distance `window` = f has no parallax. Lengths are in world units. s
+// >= 0; f > 0, and f may be infinite: then the eyes have no skew.
 struct Pair {
   double half_separation = 0, window = 1;
 };
@@ -37,11 +37,13 @@ struct Picture {
   int width = 640;
 };
 
-// Task 9.1. The projection of one eye: that of the centre camera after the skew x' = x + s
-// (1 - distance/f) for the left eye, and with -s for the right one. The centre's projection may be
-// any: with its window off the middle, parallel, reversed. The rows of y, z and w are the centre's,
-// bit for bit. Without separation the whole matrix is the centre's, bit for bit.
-// Error bound of the row of x: 8 u times the largest of |m00 s/f|, |m02|, |m00 s| and |m03|.
+// Task 9.1. The projection of one eye: first the skew x' = x + s (1 - distance/f), with -s in place
+// of s for the right eye, then the centre camera's projection, clip_from_eye. The centre's
+// projection may be of any kind: with its window off the middle, parallel, with reversed depth. The
+// rows of y, z and w are the centre's, bit for bit. Without separation the whole matrix is the
+// centre's, bit for bit.
+// Error bound of the row of x: 8 u times the largest of |m00 s/f|, |m02|, |m00 s| and |m03|, where
+// m is clip_from_eye.
 Transform<Clip, Eye> eye_projection(const Transform<Clip, Eye>& clip_from_eye, const Pair& pair,
                                     Side side);
 
@@ -50,22 +52,24 @@ struct Parallax {
   double percent = 0;  // of the picture's width
 };
 
-// Task 9.2. The parallax of a point at this distance: its x in the right eye's picture minus
-// its x in the left one's. The centre's projection is a perspective one. 0 < distance, which may be
-// infinite. Error bound: 16 u |parallax|, near the window too.
+// Task 9.2. The parallax of a point at this distance: its x in the right eye's picture minus its x
+// in the left one's. The centre's projection is a perspective one. 0 < distance, which may be
+// infinite. Error bound: 16 u |parallax|, also for points near the window.
 Parallax parallax_at(const Pair& pair, const Picture& picture, double distance);
 
-// A corner in the clip space of both eyes, which share y, z and w. The left eye sees what has
-// -w <= left_x <= w, -w <= y <= w and 0 <= z <= w; for the right eye likewise with its own x.
+// A corner in the clip space of both eyes, for which y, z and w are the same. The left eye sees
+// what has -w <= left_x <= w, -w <= y <= w and 0 <= z <= w; the right eye has right_x in place of
+// left_x.
 struct StereoPoint {
   float left_x = 0, right_x = 0, y = 0, z = 0, w = 0;
 };
 
 enum class Verdict { kUnknown = -1, kDraw = 1, kCull = 2 };
 
-// Task 9.3. One verdict for both eyes. An eye misses a triangle if for one of the six planes of its
-// frustum all three corners are outside; on the plane is inside. kCull if both eyes miss it, even
-// if for different planes; otherwise kDraw. All numbers are finite.
+// Task 9.3. One verdict for both eyes. An eye misses a triangle if all three corners are outside
+// the same one of the six planes of the eye's frustum; a corner on a plane is not outside it. kCull
+// if both eyes miss the triangle, even if with different planes; otherwise kDraw. All numbers are
+// finite.
 Verdict cull(const std::array<StereoPoint, 3>& triangle);
 
 // A fragment that an eye draws at one pixel. 0 <= depth <= 1, smaller is nearer.
@@ -112,23 +116,23 @@ using Matrix = std::array<std::array<double, 6>, 3>;
 Colour anaglyph_colour(const Matrix& matrix, const Recolour& recolour, const Colour& left,
                        const Colour& right);
 
-// A frame: everything visible is between the distances `nearest` and `farthest` (which may be
-// infinite), 0 < nearest <= farthest.
+// A frame of a sequence: everything visible is between the distances `nearest` and `farthest`
+// (which may be infinite), 0 < nearest <= farthest. `window` is the distance without parallax.
 struct Frame {
   double nearest = 1, farthest = 1, window = 1;
 };
 
-// The largest |parallax| allowed in front of the window and behind it, px >= 0.
+// The largest |parallax| allowed in front of the window and behind it, in pixels, >= 0.
 struct Budget {
   double in_front_px = 0, behind_px = 0;
 };
 
 // Task 9.6. Half the separation of the eyes for each frame, by a camera that does not know the next
 // frame. The limit of a frame is the largest s for which the parallax at its nearest and at its
-// farthest distance stays within the budget, but at most window/scale, half of what the picture
-// shows at the window. The first frame gets its limit. A limit that is not above the last frame's
-// separation is taken at once; towards a higher limit the separation goes 1/(1 + release_frames) of
-// the way in each frame.
+// farthest distance stays within the budget, but at most window/scale, which is half the width that
+// the picture shows at the window. The first frame gets its limit. If a limit is not above the last
+// frame's separation, the separation is the limit at once; if it is above, the separation grows by
+// the fraction 1/(1 + release_frames) of the difference.
 // Error bound: 64 (1 + release_frames) u times the largest separation of the frames.
 std::vector<double> comfortable_separations(const Picture& picture, const Budget& budget,
                                             const std::vector<Frame>& frames,

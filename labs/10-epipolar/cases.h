@@ -1,4 +1,5 @@
-// The inputs of lab 10's cases, shared by runner and judge.
+// The inputs of lab 10's test cases: for the runner, which calls the student's functions, and for
+// the checks, which compute the expected answers.
 #pragma once
 
 #include <string>
@@ -23,12 +24,12 @@ inline Matrix not_turned() {
   return turned_by(1, 0, 0, 0);
 }
 
-// The three scenarios of the slides.
+// The three pairs of cameras of the slides: with parallel axes, with converging axes, and any two.
 inline Pose parallel_pose() {
   return {not_turned(), {0.5, 0, 0}};
 }
 inline Pose converging_pose() {
-  return {turned_by(15, 0, 1, 0), {1, 0, 0.125}};  // both look at a point about 8 away
+  return {turned_by(15, 0, 1, 0), {1, 0, 0.125}};  // both cameras look at a point about 8 away
 }
 inline Pose arbitrary_pose() {
   return {turned_by(12, 1, -2, 1.5), {0.8, -0.3, 0.4}};
@@ -74,7 +75,8 @@ struct LineCase {
   Pixel pixel;
 };
 
-// R S, made here for the inputs: the student's own is tested by another task.
+// Makes R S for the inputs. The student's own function essential() is not used, so that its
+// mistakes have no effect on the other tasks.
 inline Matrix given_essential(const Pose& pose) {
   Matrix e{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -164,12 +166,12 @@ inline std::vector<PointsCase> hidden_points() {
 
 struct MatchesCase {
   std::string what;
-  Pose pose;  // of the cameras; with noise the matches do not fit it exactly
+  Pose pose;  // of the cameras; matches with noise do not fit it exactly
   std::vector<Match> matches;
 };
 
-// Points up to `farthest` away that are in front of both cameras; their calibrated coordinates are
-// off by up to `noise`.
+// The matches of random points that are in front of both cameras and up to `farthest` away. The
+// matches' calibrated coordinates have random errors of up to `noise`.
 inline MatchesCase seen_by(const std::string& what, const Pose& pose, int count, double noise,
                            std::uint64_t seed, double farthest = 9) {
   glassbox::Random random(seed);
@@ -235,8 +237,8 @@ inline std::vector<ChoiceCase> hidden_choices() {
       choice("a quarter turn", {turned_by(1, 0, 0, 1), {0.3, 0.7, -0.2}}, 1, 9, 14),
       choice("behind the other, E of any size", {turned_by(30, 1, 0, 1), {1, 5, -30}}, -1, 9, 15),
       choice("one match", arbitrary_pose(), 1, 1, 16)};
-  // Translations in every direction, so that with the wrong poses the points are behind the left
-  // camera, or behind the right one.
+  // Translations in many directions: depending on the direction, a wrong pose has the points behind
+  // the left camera or behind the right one.
   const std::vector<Vector> directions{{0.1, 0.9, 0.1},  {0.1, -0.9, 0.1}, {0.2, 0.1, -1},
                                        {-0.9, 0.3, 0.2}, {0.1, 0.2, 1},    {0.6, 0.6, -0.5}};
   for (std::size_t i = 0; i < directions.size(); ++i)
@@ -276,7 +278,8 @@ inline std::vector<RaysCase> rays() {
           {"a point behind both cameras", {0.125, 0}, {0.25, 0}, parallel_pose()}};
 }
 // BEGIN HIDDEN
-// Both cameras look at an infinitely far point; rounding leaves the directions slightly different.
+// The lines of sight of both cameras to an infinitely far point. They are parallel, but rounding
+// makes their directions slightly different.
 inline RaysCase parallel_rays(const char* what, const Pose& pose) {
   const Vector p = times(pose.rotation, Vector{0.3, -0.2, 1});
   return {what, {0.3, -0.2}, {p[0] / p[2], p[1] / p[2]}, pose};

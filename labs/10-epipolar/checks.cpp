@@ -1,5 +1,5 @@
-// The expected answers of lab 10: by the geometry of views/two_view, and by formulas in extended
-// precision.
+// The expected answers of lab 10, from the functions of views/two_view and from formulas in
+// extended precision (long double).
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +28,7 @@ using lab_10::Vector;
 
 constexpr double u = unit_roundoff<double>;
 
-// Computed in long double, then rounded once.
+// A matrix in extended precision: expected answers are computed in it and then rounded once.
 using Wide = Eigen::Matrix<long double, 3, 3>;
 using WideVector = Eigen::Matrix<long double, 3, 1>;
 Wide wide(const Matrix& m) {
@@ -51,7 +51,8 @@ std::string text_of(const Matrix& m) {
   return text_of(m[0]) + " " + text_of(m[1]) + " " + text_of(m[2]);
 }
 
-// Each entry is two products r_i t_j of a row of R, and their difference: below 3 u |T|.
+// The bound: an entry of E is the difference of two products of an entry of R and one of T, with an
+// error below 3 u |T|, where u = 2^-53 is the unit roundoff.
 Case expect_matrix(const PoseCase& input) {
   const Wide r = wide(input.pose.rotation);
   const WideVector t = wide(input.pose.translation);
@@ -68,7 +69,8 @@ Case expect_matrix(const PoseCase& input) {
                       {"multiplication-order", expected(views::cross_matrix<long double>(t) * r)}}};
 }
 
-// Three products and their sum, of a unit vector and t.
+// The bound: a coordinate of T is the dot product of t and a column of R, which is a unit vector.
+// Its three products and their sum round by less than the allowed 8 u |t|.
 Case expect_centre(const PoseCase& input) {
   const Wide r = wide(input.pose.rotation);
   const WideVector t = wide(input.pose.translation);
@@ -101,8 +103,8 @@ Case expect_line(const LineCase& input) {
           .slipped = {{"row-column-order", expected(transposed(e))}}};
 }
 
-// A sum of n numbers rounds n - 1 times, each time by u of the sum so far; a distance also has the
-// error of the centre.
+// The bounds: the sum of n numbers rounds n - 1 times, each time by u of the sum so far. The scale
+// is computed from the distances to the centre, and so it also has the error of the centre.
 Case expect_normaliser(const PointsCase& input) {
   const auto count = double(input.points.size());
   long double x = 0, y = 0, sum = 0;
@@ -145,7 +147,8 @@ Case expect_matrix_of_matches(const MatchesCase& input) {
                       {"rank-first", expected(solution.made_rank_two_first)}}};
 }
 
-// E is R S except for its rounding, and so are U and V; R is made from two products of them.
+// The bound: the given E is R S except for rounding, and so its singular vectors U and V have
+// rounding errors, too. The student multiplies U, V and a rotation to get R.
 Case expect_pose(const ChoiceCase& input) {
   const auto chosen = views::pose_in_front(matrix_of(input.essential), matches_of(input.matches));
   const views::RelativePose pose = chosen ? chosen->pose : views::RelativePose{};

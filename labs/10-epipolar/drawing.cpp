@@ -19,7 +19,7 @@ namespace lab_10_drawing {
 using views::Matrix3d;
 using views::Vector3d;
 
-// ---- records ----
+// ---- the numbers of questions and answers ----
 
 lab_10::Vector vector(RecordReader& in) {
   const double x = in.number(), y = in.number();
@@ -129,8 +129,8 @@ std::optional<WrongNumber> judge_matrix(const Numbers& in, const Numbers& yours,
       [](std::size_t i) { return fmt::format("E, row {}, column {}", i / 3, i % 3); });
 }
 
-// If several poses have the largest number of matches in front of both cameras, any of them is
-// right.
+// If several poses have the largest number of matches in front of both cameras, no pose is the
+// right one, and any answer is accepted.
 std::optional<WrongNumber> judge_pose(const Numbers& in, const Numbers& yours,
                                       const Numbers& reference) {
   RecordReader record = reader(in);
@@ -185,7 +185,8 @@ const std::vector<DrawnStage>& stages() {
 // centre of the window, and rolled.
 View second_view(const View& first, const StereoPair& pair) {
   const double right = 2 * pair.half_separation, up = 0.3 * right;
-  const double x = up / pair.window / 2, y = -right / pair.window / 2, z = 0.04;  // w is 1
+  // a quaternion with w = 1
+  const double x = up / pair.window / 2, y = -right / pair.window / 2, z = 0.04;
   const double n = 1 + x * x + y * y + z * z;
   Transform<Eye, Eye> turn;
   const double entries[3][3] = {
@@ -201,8 +202,8 @@ View second_view(const View& first, const StereoPair& pair) {
   return second;
 }
 
-constexpr int kColumns = 12, kRows = 9;  // of the grid of pixels whose points are matched
-constexpr std::size_t kFewest = 16;      // twice as many as are needed
+constexpr int kColumns = 12, kRows = 9;  // the grid of pixels whose points are matched
+constexpr std::size_t kFewest = 16;      // matches, twice the eight that are needed
 constexpr std::size_t kShownEach = 6;    // every sixth match has its line drawn
 
 struct Pair {
@@ -215,7 +216,8 @@ lab_10::Camera camera_of(const views::PinholeCamera& camera) {
   return {camera.intrinsic(0, 0), camera.intrinsic(0, 2), camera.intrinsic(1, 2)};
 }
 
-// Matches from the rasterizer, for a grid of pixels.
+// The true matches of a grid of pixels, without the pixels whose points the second camera does not
+// see. The rasterizer knows which point each pixel shows.
 Result<Pair> matched(const DrawingInput& input, const View& second) {
   const auto left = views::known_picture(input.scene, input.view, input.settings);
   if (!left) return tl::unexpected(left.error());
@@ -243,7 +245,7 @@ Result<Pair> matched(const DrawingInput& input, const View& second) {
 
 // ---- in the picture ----
 
-// One of twelve hues, by number.
+// The colour of epipolar line i: one of twelve hues.
 Rgba8 line_colour(std::size_t i) {
   const double turn = double(i * 5 % 12) / 2;
   const auto channel = [turn](double at) {
@@ -257,7 +259,7 @@ void set_pixel(Image<Rgba8>& picture, int x, int y, const Rgba8& colour) {
   if (x >= 0 && y >= 0 && x < picture.width && y < picture.height) picture.at(x, y) = colour;
 }
 
-// Draws a pixel in each column, or in each row if the line is steep.
+// Draws one pixel of the line in each column of the picture, or in each row if the line is steep.
 void draw_line(Image<Rgba8>& picture, const lab_10::Line& line, const Rgba8& colour) {
   const bool steep = std::abs(line.a) > std::abs(line.b);
   const double along = steep ? line.b : line.a, across = steep ? line.a : line.b;

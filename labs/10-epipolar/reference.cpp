@@ -69,11 +69,12 @@ Matrix3d told(const Matrix3d& m) {
   return m / (largest < 0 ? -m.norm() : m.norm());
 }
 
-// The rounding of the system, some 20 u of sigma_1 with either solver, rotates its solution by that
-// divided by the gap between its last two singular values. Undoing the normalisation multiplies
-// this by |T_r| |T_l|, relative to the size of the resulting matrix. The nearest essential matrix
-// rotates by at most four times as much as its argument if that is near one; scaling to length 1
-// doubles it.
+// The bound of the solution. Rounding changes the linear system by some 20 u of its largest
+// singular value sigma_1, in the student's solver and in ours (u = 2^-53 is the unit roundoff).
+// That turns the solution by this change divided by the gap between the last two singular values.
+// Undoing the normalisation multiplies the error by |T_r| |T_l|, the sizes of the normalising
+// matrices, relative to the size of the resulting matrix. Taking the nearest essential matrix
+// multiplies it by at most four if the matrix is almost essential; scaling to length 1 doubles it.
 LinearSolution solve(const views::Matches& calibrated) {
   const auto normal = views::normalised(calibrated);
   if (!normal) return {};
@@ -94,8 +95,9 @@ LinearSolution solve(const views::Matches& calibrated) {
   return solution;
 }
 
-// u = E p has a rounding error of 5 u |E| |p|; c has three products of the camera's numbers with
-// such errors; all are divided by |(u_x, u_y)|.
+// The bound of a line (a, b, c). The vector v = E p has a rounding error of 5 u |E| |p|, where u is
+// the unit roundoff and p the calibrated point. c is a sum of three products of v with f, x and y
+// of the right camera, which multiply that error. Then everything is divided by |(v_x, v_y)|.
 double bound_of_line(const lab_10::Matrix& essential, const lab_10::Camera& left,
                      const lab_10::Camera& right, const lab_10::Pixel& pixel) {
   const Matrix3d e = matrix_of(essential);
@@ -120,8 +122,10 @@ views::Triangulated point_of(const views::Rays& rays, const views::RelativePose&
   return views::midpoint(rays, pose);
 }
 
-// Both factors along the lines are quotients of sums of products by |d x e|^2; the terms of these
-// sums cancel by the square of the sine.
+// The bound of a point. For the directions d and e of the lines of sight, how far the point is
+// along each line is a sum of products divided by |d x e|^2. In the sum, large terms may cancel to
+// the square of the sine of the angle between the lines, so their rounding errors grow by one over
+// this square.
 double bound_of_point(const views::Rays& rays, const views::RelativePose& pose,
                       const views::Triangulated& point) {
   if (!point.is_finite()) return 0;

@@ -21,7 +21,7 @@ void matrix_of_pose(const PoseCase& input, Answer& answer) {
   answer.emit("E", numbers(essential(input.pose)));
 }
 
-// Passes the pose's translation as the t of other textbooks.
+// Passes the pose's translation as t, the vector of other textbooks in P_r = R P_l + t.
 void centre(const PoseCase& input, Answer& answer) {
   answer.emit("T", numbers(centre_from_shift(input.pose.rotation, input.pose.translation)));
 }

@@ -35,7 +35,7 @@ void append(Numbers& out, const Matrix& m) {
   for (const Vector& row : m) append(out, row);
 }
 
-// Input: calibrated matches: left x, y, right x, y of each. Output: E, of length 1.
+// Input: calibrated matches, each as left x, left y, right x, right y. Output: E with |E| = 1.
 void matrix_stage(RecordReader& in, Numbers& out) {
   append(out, told(eight_point(matches(in))));
 }
@@ -48,7 +48,8 @@ void pose_stage(RecordReader& in, Numbers& out) {
   append(out, pose.translation);
 }
 
-// Input: E; f, x, y of both cameras; pixels. Output: a, b, c of each line.
+// Input: E; the focal length f and the principal point x, y of both cameras; pixels of the left
+// picture. Output: a, b, c of the epipolar line of each pixel.
 void lines_stage(RecordReader& in, Numbers& out) {
   const Matrix e = matrix(in);
   const Vector left = vector(in), right = vector(in);

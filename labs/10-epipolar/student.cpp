@@ -12,7 +12,7 @@ Matrix essential(const Pose& pose) {
   const Vector& t = pose.translation;
   const Matrix s{{{0, -t[2], t[1]}, {t[2], 0, -t[0]}, {-t[1], t[0], 0}}};
   return times(pose.rotation, s);
-  // STUB: return Matrix{{{NAN, NAN, NAN}, {NAN, NAN, NAN}, {NAN, NAN, NAN}}};  // R S
+  // STUB: return Matrix{{{NAN, NAN, NAN}, {NAN, NAN, NAN}, {NAN, NAN, NAN}}};  // E = R S
   // END SOLUTION
 }
 
@@ -30,7 +30,8 @@ Line epipolar_line(const Matrix& essential, const Camera& left, const Camera& ri
   // BEGIN SOLUTION
   const Vector seen{(left_pixel.x - left.x) / left.f, (left_pixel.y - left.y) / left.f, 1};
   const Vector u = times(essential, seen);
-  // As an equation of pixels: u_x (x - x0)/f + u_y (y - y0)/f + u_z = 0.
+  // u is the line for calibrated points. For pixels (x, y), with the principal point (x0, y0), it
+  // is u_x (x - x0)/f + u_y (y - y0)/f + u_z = 0; `line` is this equation times f.
   Line line{u[0], u[1], right.f * u[2] - u[0] * right.x - u[1] * right.y};
   const double size = std::sqrt(line.a * line.a + line.b * line.b);
   if (size == 0) return {};
@@ -120,7 +121,8 @@ Pose relative_pose(const Matrix& essential, const std::vector<Match>& matches) {
   // BEGIN SOLUTION
   const SingularValues svd = decomposed(essential);
   const Matrix quarter_turn{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}};
-  const Vector along{svd.v[0][2], svd.v[1][2], svd.v[2][2]};  // E T = 0
+  // T has this direction, because E T = 0
+  const Vector along{svd.v[0][2], svd.v[1][2], svd.v[2][2]};
   Pose best;
   int most = -1;
   for (const Matrix& turn : {quarter_turn, transposed(quarter_turn)}) {
@@ -152,7 +154,8 @@ Point triangulate(const Pixel& left, const Pixel& right, const Pose& pose) {
   const Vector across = cross(d, e);
   const double squared = dot(across, across);
   if (std::sqrt(squared) <= 0x1p-50 * length(d) * length(e)) return {d[0], d[1], d[2], 0};
-  // Solves t_l d - t_r e = T in the least squares sense.
+  // Finds the t_l and t_r for which the points t_l d and T + t_r e of the two lines are closest:
+  // the least squares solution of t_l d - t_r e = T.
   const double along_left = dot(cross(t, e), across) / squared;
   const double along_right = dot(cross(t, d), across) / squared;
   const Vector sum = plus(times(along_left, d), plus(t, times(along_right, e)));

@@ -23,7 +23,7 @@ struct Pixel {
   double x = 0, y = 0;
 };
 
-// One point as both pictures show it, calibrated.
+// One point as both pictures show it, in calibrated coordinates.
 struct Match {
   Pixel left, right;
 };
@@ -53,27 +53,27 @@ struct Point {
 // bound of an entry: 4 u |T|.
 Matrix essential(const Pose& pose);
 
-// Task 10.1. Other textbooks have P_r = R P_l + t. Returns the T of the same two cameras. Error
-// bound: 8 u |t|.
+// Task 10.1. Other textbooks have P_r = R P_l + t. Returns the T of the same two cameras for this R
+// and t. Error bound: 8 u |t|.
 Vector centre_from_shift(const Matrix& rotation, const Vector& shift);
 
 // Task 10.2. The epipolar line of a pixel of the left picture: the point that the left picture
 // shows there is on this line of the right picture. a^2 + b^2 = 1, and b > 0, or b = 0 and a > 0.
-// Where E p_l is 0 there is no line: a = b = c = 0.
+// Let p_l be the calibrated pixel as (x, y, 1). If E p_l is 0 there is no line: a = b = c = 0.
 // Error bound: 64 u (1 + the largest of the right camera's numbers) |E| |p_l| / |(u_x, u_y)|, where
 // the vector u_x, u_y, u_z is E p_l.
 Line epipolar_line(const Matrix& essential, const Camera& left, const Camera& right,
                    const Pixel& left_pixel);
 
-// A normalisation of points: each is moved by -(x, y), then scaled.
+// A normalisation of points: each point is moved by -(x, y), then multiplied by `scale`.
 struct Normaliser {
   double x = 0, y = 0, scale = 1;
 };
 
 // Task 10.3. The normalisation of the given points, not all of which are the same: (x, y) is their
-// mean, and scale (p - (x, y)) has the mean length sqrt 2.
-// Error bound: 8 n u times the largest coordinate, where n is the number of points; for the scale:
-// 16 n u scale (1 + scale times that coordinate).
+// mean, and the vectors scale (p - (x, y)) of all points p have the mean length sqrt 2.
+// Error bound of x and y: 8 n u times the largest coordinate, where n is the number of points; of
+// the scale: 16 n u scale (1 + scale times that coordinate).
 Normaliser normalising(const std::vector<Pixel>& points);
 
 // Task 10.4. E of at least 8 matches, of any sign and scale:
@@ -87,20 +87,20 @@ Normaliser normalising(const std::vector<Pixel>& points);
 // report shows it.
 Matrix eight_point(const std::vector<Match>& matches);
 
-// Task 10.5. From E = U diag(s, s, 0) V^T to R and T with |T| = 1. There are four (R, T) with
-// R S = E up to sign and scale. The one wanted is that for which more matches than for any other
-// are in front of both cameras. R is a rotation: its determinant is 1. Error bound: 256 u.
+// Task 10.5. From E = U diag(s, s, 0) V^T to R and T with |T| = 1. There are four (R, T) with R S =
+// E up to sign and scale. Return the one with which more matches are in front of both cameras than
+// with any other. R is a rotation: its determinant is 1. Error bound: 256 u.
 Pose relative_pose(const Matrix& essential, const std::vector<Match>& matches);
 
 // Task 10.6. The point halfway between the two lines of sight where they come closest to each
-// other. The left line is t_l (x, y, 1) of the left calibrated point, the right line is T + t_r R^T
-// (x, y, 1) of the right one. The answer is in the left camera's space, with w = 1. Lines that are
-// parallel, |d x e| <= 8 u |d| |e| for their directions d and e, meet at infinity: then the answer
-// is the left direction (x, y, 1) with w = 0.
-// Error bound: 64 u (|P| + |T|) / sin^2 of the angle between the lines.
+// other. The left line is t_l d with d = (x, y, 1) of the left calibrated point. The right line is
+// T + t_r e with e = R^T (x, y, 1) of the right calibrated point. The answer is in the left
+// camera's space, with w = 1. Lines that are parallel, |d x e| <= 8 u |d| |e|, meet at infinity:
+// then the answer is d with w = 0.
+// Error bound: 64 u (|P| + |T|) / sin^2 of the angle between the lines, where P is the answer.
 Point triangulate(const Pixel& left, const Pixel& right, const Pose& pose);
 
-// ---- given ----
+// ---- functions that are given ----
 
 inline double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -131,8 +131,8 @@ inline double determinant(const Matrix& m) {
   return dot(m[0], cross(m[1], m[2]));
 }
 
-// The matrix scaled to |M| = 1 and with a positive sign of its largest entry in size. This is the
-// form in which a matrix known up to sign and scale is compared and printed.
+// The matrix scaled to |M| = 1, with the sign for which its entry of largest absolute value is
+// positive. A matrix that is known only up to sign and scale is compared and printed in this form.
 inline Matrix told(const Matrix& m) {
   double squares = 0, largest = 0;
   for (const Vector& row : m) {

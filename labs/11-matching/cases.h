@@ -1,4 +1,5 @@
-// The inputs of lab 11's cases, shared by runner and judge.
+// The inputs of lab 11's test cases: for the runner, which calls the student's functions, and for
+// the checks, which compute the expected answers.
 #pragma once
 
 #include <string>
@@ -18,8 +19,8 @@ inline Picture noise(int width, int height, std::uint64_t seed) {
   return picture;
 }
 
-// The right camera's picture of a wall at disparity d; the pixels that come into view at the edge
-// are noise.
+// The right camera's picture of a wall, all pixels of which have disparity d. The pixels at the
+// edge that only the right camera sees are noise.
 inline Picture seen_from_right(const Picture& left, int d, std::uint64_t seed) {
   Picture right = noise(left.width, left.height, seed);
   for (int y = 0; y < left.height; ++y) {
@@ -29,7 +30,8 @@ inline Picture seen_from_right(const Picture& left, int d, std::uint64_t seed) {
   return right;
 }
 
-// gain (grey - 128) + 128 + offset in integers: the gain is in hundredths.
+// Changes the contrast and the brightness: grey becomes gain (grey - 128) + 128 + offset, in
+// integers. `gain` is in hundredths.
 inline Picture brighter(Picture picture, int gain, int offset) {
   for (int& grey : picture.grey)
     grey = std::clamp((grey - 128) * gain / 100 + 128 + offset, 0, 255);
@@ -82,7 +84,7 @@ inline std::vector<SadCase> hidden_squares() {
 struct CensusCase {
   std::string what;
   Picture picture;
-  std::vector<Place> places;  // their d is not used
+  std::vector<Place> places;  // the disparity d of the places is not used
 };
 inline std::vector<CensusCase> words() {
   Picture one{5, 5, std::vector<int>(25, 100)};
@@ -252,7 +254,7 @@ struct DepthCase {
 };
 inline std::vector<DepthCase> depths() {
   const Calibration camera{800, 0.1, 0};
-  // The calibration of the motorcycle scene of the data set, in px and mm.
+  // The calibration of the motorcycle scene of the Middlebury data set, in px and mm.
   const Calibration motorcycle{994.978, 193.001, 31.086};
   return {{"sixteen pixels", 16, camera},
           {"an offset of the principal points (C-114)", 40.25, motorcycle},

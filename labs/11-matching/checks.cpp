@@ -1,5 +1,5 @@
-// The expected answers of lab 11: the definitions, written out (reference.h). All are whole numbers
-// except for fractions of a pixel and depths.
+// The expected answers of lab 11, from reference.h, which follows the definitions word for word.
+// Answers are whole numbers, except for fractions of a pixel and depths.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,7 @@ std::vector<double> doubles(const std::vector<int>& values) {
   return {values.begin(), values.end()};
 }
 
-// Some numbers of a list, as text for a report.
+// The first 24 numbers of a list, as text for a report.
 template <class T>
 std::string text_of(const std::vector<T>& values) {
   constexpr std::size_t kMost = 24;
@@ -82,8 +82,8 @@ Case expect_path(const PathCase& input) {
           {matrix("sums", input.disparities, doubles(sums))}};
 }
 
-// The quotient is of whole numbers, at most 1/2, and is added to d: two roundings in the student's
-// way and two in ours.
+// The bound: the fraction of a pixel is a quotient of whole numbers and at most 1/2. The division
+// and its addition to d round, in the student's answer and in ours: four roundings.
 Case expect_best(const WinnerCase& input) {
   const double d = matching::winner(input.costs);
   return {input.what,
@@ -116,7 +116,8 @@ Case expect_confirmed(const CheckCase& input) {
           .slipped = {{"disparity-sign", expected(1)}}};
 }
 
-// A sum, a product and a quotient round.
+// The bound: in f B / (d + offset) a sum, a product and a quotient round, 3 u of Z (u = 2^-53 is
+// the unit roundoff), below the allowed 4 u.
 Case expect_depth(const DepthCase& input) {
   const double z = matching::depth(input.disparity, input.calibration);
   return {input.what,

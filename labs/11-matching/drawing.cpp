@@ -20,13 +20,13 @@ using lab_11::kNever;
 using lab_11::kNone;
 using lab_11::Picture;
 
-constexpr int kLargestSide = 128;  // px, of the pair
+constexpr int kLargestSide = 128;  // of the pictures of the pair, in px
 constexpr int kMostDisparities = 48;
 constexpr int kReach = 2;                   // how many rows above and below a cost uses
-constexpr double kStep = 120, kJump = 700;  // P1 and P2
+constexpr double kStep = 120, kJump = 700;  // P1 and P2 of along_path()
 constexpr double kTolerance = 1;            // px
 
-// ---- the reference: questions as stages.cpp reads them ----
+// ---- the reference, which reads questions as stages.cpp does ----
 
 Picture picture(RecordReader& in, int width, int height) {
   Picture made{width, height, {}};
@@ -101,7 +101,7 @@ Numbers depth_stage(RecordReader& in) {
 
 // ---- judgement ----
 
-// Numbers for pixels and disparities, which must be exact.
+// Judges costs, or sums of costs, of all pixels and disparities. They must be exact.
 std::optional<WrongNumber> judge_costs(const Numbers& in, const Numbers& yours,
                                        const Numbers& reference) {
   const auto disparities = std::size_t(in[0]);
@@ -168,7 +168,8 @@ Picture grey_of(const Image<Rgba8>& image) {
   return {image.width, image.height, {planes.grey.begin(), planes.grey.end()}};
 }
 
-// Renders the pair with eyes without skew, so that disparities begin at 0.
+// Renders the pair with parallel eyes (without skew), so that disparities begin at 0, for points
+// that are infinitely far away.
 Result<Pair> rendered(const DrawingInput& input) {
   View view = input.view;
   const int width = int(view.viewport.width()), height = int(view.viewport.height());
@@ -263,14 +264,16 @@ private:
     return questions;
   }
 
-  // Sums the paths along the rows in both directions and along the columns in both directions.
+  // Adds up the results of along_path() for paths in four directions: along rows and along columns,
+  // each forwards and backwards.
   Result<std::vector<Numbers>> sums_of_paths(const std::vector<Numbers>& costs) {
     std::vector<Numbers> sums(height_, Numbers(width_ * count_, 0));
     for (const bool along_rows : {true, false}) {
       for (const bool backwards : {false, true}) {
         const std::size_t paths = along_rows ? height_ : width_;
         const std::size_t length = along_rows ? width_ : height_;
-        // The position in rows[y] of the costs of a path's pixel.
+        // Finds the first cost of pixel number `step` of a path; rows[y] has the costs of picture
+        // row y.
         const auto cell = [&](auto& rows, std::size_t path, std::size_t step) {
           const std::size_t at = backwards ? length - 1 - step : step;
           const std::size_t x = along_rows ? at : path, y = along_rows ? path : at;
@@ -297,7 +300,7 @@ private:
         }
       }
     }
-    // Impossible matches stay impossible, and possible ones stay possible.
+    // An impossible match keeps the cost kNever. The sum of a possible one is kept below kNever.
     for (std::size_t y = 0; y < height_; ++y) {
       for (std::size_t i = 0; i < sums[y].size(); ++i)
         sums[y][i] = costs[y][i] >= kNever ? kNever : std::min<double>(sums[y][i], kNever - 1);

@@ -18,8 +18,9 @@ void append(Numbers& out, const Numbers& more) {
   out.insert(out.end(), more.begin(), more.end());
 }
 
-// Input: disparities, width, height, the row, the grey values of both pictures. Output: the costs
-// of each pixel of the row, by squares of 3 x 3 and census.
+// Input: the number of disparities, width, height, the row's number y, the grey values of both
+// pictures. Output: for each pixel of the row and each disparity, sad() of squares of 3 x 3 pixels
+// plus 32 times hamming() of the census words, or kNever.
 void costs_stage(RecordReader& in, Numbers& out) {
   const int disparities = in.integer(), width = in.integer(), height = in.integer();
   const int y = in.integer();
@@ -33,7 +34,8 @@ void costs_stage(RecordReader& in, Numbers& out) {
   }
 }
 
-// Input: disparities, P1, P2, the costs of the path's pixels. Output: their sums.
+// Input: the number of disparities, P1, P2, the costs of the path's pixels. Output: the sums along
+// the path.
 void paths_stage(RecordReader& in, Numbers& out) {
   const int disparities = in.integer(), p1 = in.integer(), p2 = in.integer();
   std::vector<int> costs;
@@ -41,7 +43,8 @@ void paths_stage(RecordReader& in, Numbers& out) {
   for (const int sum : along_path(costs, disparities, p1, p2)) out.push_back(sum);
 }
 
-// Input: disparities, the costs of the row's pixels. Output: the left disparities.
+// Input: the number of disparities, the costs of the row's pixels. Output: the disparities of the
+// left pixels.
 void left_stage(RecordReader& in, Numbers& out) {
   const int disparities = in.integer();
   while (in.more()) {
@@ -51,7 +54,8 @@ void left_stage(RecordReader& in, Numbers& out) {
   }
 }
 
-// Input: disparities, the costs of the row's pixels. Output: the right disparities.
+// Input: the number of disparities, the costs of the row's pixels. Output: the disparities of the
+// right pixels.
 void right_stage(RecordReader& in, Numbers& out) {
   const int disparities = in.integer();
   std::vector<int> costs;
@@ -59,8 +63,8 @@ void right_stage(RecordReader& in, Numbers& out) {
   append(out, right_winners(costs, int(costs.size()) / disparities, disparities));
 }
 
-// Input: tolerance, width, a row of left disparities and one of right ones. Output: the confirmed
-// left ones.
+// Input: the tolerance, the width, a row of left disparities and the same row of right ones.
+// Output: the left disparities that the right ones confirm, with kNone in the other places.
 void check_stage(RecordReader& in, Numbers& out) {
   const double tolerance = in.number();
   const int width = in.integer();

@@ -23,7 +23,7 @@ int sad(const Picture& left, const Picture& right, int x, int y, int d, int radi
   // END SOLUTION
 }
 
-// ---- task 11.2: what a change of brightness leaves alone ----
+// ---- task 11.2: a measure that a change of brightness does not change ----
 
 std::uint32_t census(const Picture& picture, int x, int y) {
   // BEGIN SOLUTION
@@ -64,7 +64,7 @@ std::vector<int> along_path(const std::vector<int>& costs, int disparities, int 
     }
   }
   return sums;
-  // STUB: return {};  // one for each of the costs
+  // STUB: return {};  // a sum for each cost
   // END SOLUTION
 }
 

@@ -19,7 +19,8 @@ struct Picture {
   int width = 0, height = 0;
   std::vector<int> grey;
 
-  // Beyond the edge of the picture its last row or column is repeated.
+  // The grey value of pixel (x, y). Beyond the edge of the picture its last row or column is
+  // repeated.
   int at(int x, int y) const {
     const int column = std::clamp(x, 0, width - 1), row = std::clamp(y, 0, height - 1);
     return grey[std::size_t(row) * std::size_t(width) + std::size_t(column)];
@@ -43,8 +44,8 @@ std::uint32_t census(const Picture& picture, int x, int y);
 int hamming(std::uint32_t a, std::uint32_t b);
 
 // Task 11.3. Costs summed along a path of pixels. costs[p D + d] is the cost C(p, d) of pixel p and
-// disparity d, where D is the number of disparities; the answer has the same order. For the first
-// pixel L = C. After it, where q is the pixel before p,
+// disparity d, where D is the number of disparities; the answer has the sums L(p, d) in the same
+// order. For the first pixel L = C. For a later pixel p, where q is the pixel before p,
 //   L(p, d) = C(p, d) + min(L(q, d), L(q, d - 1) + P1, L(q, d + 1) + P1, min_k L(q, k) + P2)
 //                     - min_k L(q, k)
 // where disparities below 0 and from D on are left out. 0 <= P1 <= P2. Exact.
@@ -58,20 +59,20 @@ std::vector<int> along_path(const std::vector<int>& costs, int disparities, int 
 double winner(const std::vector<int>& costs);
 
 // Task 11.5. The disparities that the right pixels of the row choose. costs[x D + d] is the cost of
-// left pixel x at disparity d; this match is at column x - d on the right. For each right pixel:
-// the d with the least of all costs at its column, the smallest d among equal costs; kNone where no
-// cost is below kNever. Exact.
+// left pixel x at disparity d, where D is `disparities`; this match is at column x - d on the
+// right. For each right pixel: the d with the least of all costs at its column, the smallest d
+// among equal costs; kNone if no cost is below kNever. Exact.
 std::vector<double> right_winners(const std::vector<int>& costs, int width, int disparities);
 
-// Task 11.5. A row of left disparities, in which those that the right row does not confirm become
-// kNone. Left pixel x of disparity d is at column x - d on the right, rounded to the nearest
-// column, halves to the right. It must find there a disparity at most `tolerance` away from d.
-// Exact.
+// Task 11.5. A row of left disparities, in which each disparity that the right row does not confirm
+// becomes kNone. Left pixel x of disparity d is at column x - d on the right, rounded to the
+// nearest column, halves to the right. The disparity is confirmed if the right disparity in this
+// column is at most `tolerance` away from d. Exact.
 std::vector<double> left_right_check(const std::vector<double>& left,
                                      const std::vector<double>& right, double tolerance);
 
-// f is in pixels; the baseline B (the distance between the cameras) and depths are in world units.
-// `offset` is the column of the left principal point minus that of the right one.
+// The focal length f is in pixels; the baseline B (the distance between the cameras) and depths are
+// in world units. `offset` is the column of the left principal point minus that of the right one.
 struct Calibration {
   double focal = 0, baseline = 0, offset = 0;
 };

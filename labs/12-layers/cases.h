@@ -1,4 +1,5 @@
-// The inputs of lab 12's cases, shared by runner and judge.
+// The inputs of lab 12's test cases: for the runner, which calls the student's functions, and for
+// the checks, which compute the expected answers.
 #pragma once
 
 #include <cmath>
@@ -22,7 +23,7 @@ struct PackCase {
   double epsilon = 0;
 };
 
-// A colour as one number.
+// A colour as one number: 65536 red + 256 green + blue.
 inline double number_of_colour(const Rgba8& c) {
   return 65536.0 * c.r + 256.0 * c.g + c.b;
 }
@@ -35,7 +36,8 @@ inline std::vector<Sample> numbered(std::vector<Sample> samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].colour = number_colour(int(i) + 1);
   return samples;
 }
-// Samples of one pixel, each of them behind the one before by `step` times its depth.
+// Samples of one pixel. The depth of each is smaller than the depth before it by `step` times that
+// depth.
 inline std::vector<Sample> chain(int x, int y, int count, double step) {
   std::vector<Sample> all;
   double depth = 0.5;
@@ -88,13 +90,13 @@ inline std::vector<PackCase> hidden_packs() {
 
 // ---- cameras (tasks 12.2, 12.3) ----
 
-// An eye at (x, y, z) that looks along -z, then is turned to the left by an angle; `left` is the
-// tangent of half this angle, so that runner and judge get the same numbers. Focal length, width
-// and height are in pixels.
+// An eye at (x, y, z) that looks along -z and is then turned to the left by an angle. `left` is the
+// tangent of half this angle, from which the runner and the checks get exactly the same cosine and
+// sine. Focal length, width and height are in pixels.
 inline Transform<Screen, World> camera(double focal, double width, double height, double near,
                                        double x, double y, double z, double left = 0) {
   const double c = (1 - left * left) / (1 + left * left), s = 2 * left / (1 + left * left);
-  // The rows of the rotation: right, up, back.
+  // The rows of the rotation: the eye's directions right, up and back.
   const double rows[3][3] = {{c, 0, -s}, {0, 1, 0}, {s, 0, c}};
   double e[4][4] = {};
   for (int i = 0; i < 3; ++i) {
@@ -153,8 +155,9 @@ struct RowCase {
   std::vector<std::vector<float>> depths;
 };
 
-// Numbers with few binary digits, so that runner and judge have exactly the same ones. A step to
-// the right moves by nearly a pixel, and w changes along the row.
+// A warp whose entries have few binary digits, so that the runner and the checks have exactly the
+// same numbers. One pixel further right in the first picture is nearly one pixel in the second one,
+// and w changes along the row.
 inline Transform<Screen, Screen> row_matrix(double width) {
   Transform<Screen, Screen> m;
   const double rows[4][4] = {{0.98, 0.004, 0.37 * width, 7.3},
@@ -290,8 +293,8 @@ inline std::vector<DrawCase> pictures() {
 inline DrawCase random_picture(glassbox::Random& random) {
   Canvas canvas =
       canvas_of(random.integer(0, 1) == 0 ? Hiding::kNearest : Hiding::kLast, {}, 24, 16);
-  // Positions and half sides are in eighths of a pixel, so that no edge is on a pixel centre, and w
-  // is a power of two.
+  // Positions are in eighths of a pixel and sides are whole pixels, chosen so that no edge is on a
+  // pixel centre. w is a power of two.
   for (int i = 0; i < 60; ++i) {
     const double side = double(random.integer(1, 6));
     const double off = std::fmod(side, 2) == 0 ? 0.125 : 0.625;

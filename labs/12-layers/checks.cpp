@@ -1,5 +1,5 @@
-// The expected answers of lab 12: matrices by exact rationals, rows in double, pictures and lists
-// pixel by pixel.
+// The expected answers of lab 12: matrices are computed in exact rational numbers, rows in double,
+// pictures and lists of samples pixel by pixel.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -125,9 +125,11 @@ std::array<double, 4> row_bounds(const Sizes& sizes) {
   return bounds;
 }
 
-// Elimination, or cofactors over the determinant, gives the exact answer for a matrix whose entries
-// are off by some roundings (Higham 2002, chapter 14); the inverse magnifies these to
-// |A^-1| |A| |A^-1|. Together a few dozen roundings of each entry, and those of the product.
+// The bound. Elimination, and also cofactors divided by the determinant, give the exact inverse of
+// a matrix whose entries differ from those of A by some roundings (Higham 2002, chapter 14). Such
+// changes of A's entries, c times their sizes, change A^-1 by at most c |A^-1| |A| |A^-1|.
+// Altogether there are a few dozen roundings of each entry, and those of the product with `second`,
+// which is below the allowed 256 u (u = 2^-53 is the unit roundoff).
 Case expect_matrix(const MatrixCase& input) {
   const auto first = exact::exactly<Rational>(input.first),
              second = exact::exactly<Rational>(input.second);
@@ -150,7 +152,8 @@ Case expect_matrix(const MatrixCase& input) {
 
 // ---- rows ----
 
-// The fields for a row; the sample point of a pixel is at `middle` from its corner.
+// The expected coordinates of a row. `middle` is where a pixel is sampled, as the distance in x and
+// y from its corner; 0.5 is right.
 std::vector<Expected> row_fields(const RowCase& input, const Screens& warp, double middle) {
   std::array<std::vector<double>, 4> all;
   std::array<double, 4> largest{};
@@ -181,9 +184,11 @@ Screens transposed(const Screens& m) {
   return t;
 }
 
-// The start rounds once; 63 additions round by u of a sum that is no larger than the largest start;
-// and the rounded step is off by 63 u of itself, which is the difference of two starts: 66 u. The
-// product with the depth, its column and the last sum give 3 u of what is added.
+// The bound: 72 u, where u = 2^-24 is the unit roundoff of float. The start of the row rounds once.
+// Up to 63 additions round by u of a sum that is no larger than the largest start. The rounded step
+// has an error of u of itself, and 63 steps are the difference of two starts, so that makes 2 u: 66
+// u together. For a depth, the rounded column of the matrix, its product with the depth and the
+// last sum add 3 u of the product.
 Case expect_row(const RowCase& input) {
   std::size_t samples = 0;
   for (const auto& here : input.depths) samples += here.size();
@@ -201,7 +206,8 @@ Case expect_row(const RowCase& input) {
 
 // ---- sizes ----
 
-// A quotient, a root of a quotient, and a product: 4 roundings, in the student's way and in ours.
+// The bound 8 u: two quotients, a root and a product round in the student's answer and in ours, 4
+// times each.
 Case expect_size(const SizeCase& input) {
   const auto& [what, ratio, w, first, second] = input;
   const bool at_edge = first == 0;
@@ -219,8 +225,8 @@ Case expect_size(const SizeCase& input) {
 
 Case expect_order(const OrderCase& input) {
   const auto& [what, epipole, w, count] = input;
-  // Towards an epipole in front of the camera, away from one behind it; i + 1/2 and the epipole's
-  // position are compared without rounding.
+  // Column numbers grow on the way towards an epipole in front of the camera, or away from one
+  // behind it. w (i + 1/2) and `epipole` are compared without rounding.
   const auto grows = [epipole = epipole, w = w](int i) {
     const Rational from_here = Rational(epipole) - Rational(2 * i + 1) / Rational(2) * Rational(w);
     return from_here.sign() > 0;
@@ -246,7 +252,7 @@ Case expect_order(const OrderCase& input) {
 
 struct Rule {
   bool last_of_equals = false;
-  double middle = 0.5;  // of a pixel: the distance of its sample point from its corner
+  double middle = 0.5;  // where a pixel is sampled: the distance from its corner
   bool from_bottom = false;
 };
 

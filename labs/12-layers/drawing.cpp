@@ -71,8 +71,8 @@ Numbers matrix(RecordReader& in) {
   return out;
 }
 
-// The sums start anew every 64 pixels, as in the solution: another way has other rounding errors,
-// and one sample in some thousands would fall on another pixel.
+// The sums start anew every 64 pixels, as in the sample solution. A different order of additions
+// has other rounding errors, with which one sample in some thousands would be at another pixel.
 Numbers row(RecordReader& in) {
   const auto warp = in.matrix<Screens>();
   const int y = in.integer();
@@ -147,8 +147,8 @@ std::optional<WrongNumber> judge_pack(const Numbers& in, const Numbers& yours,
   });
 }
 
-// The bound of student.h, for the student's matrix and as much for the reference's, which is also
-// an inverse in double.
+// The bound of student.h for the student's matrix, and as much for the reference's, which is also
+// computed with an inverse in double.
 std::optional<WrongNumber> judge_matrix(const Numbers& in, const Numbers& yours,
                                         const Numbers& reference) {
   using ByRows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
@@ -164,14 +164,15 @@ std::optional<WrongNumber> judge_matrix(const Numbers& in, const Numbers& yours,
       "", [](std::size_t i) { return fmt::format("row {}, column {}", i / 4, i % 4); });
 }
 
-// The bound: 72 u of the largest coordinate of the row, for the student's answer and as much for
-// ours.
+// The bound: 72 u of the largest coordinate of the row for the student's answer, and as much for
+// the reference's. u is the unit roundoff of float.
 std::optional<WrongNumber> judge_row(const Numbers& in, const Numbers& yours,
                                      const Numbers& reference) {
   std::array<double, 4> largest{};
   for (std::size_t i = 0; i < reference.size(); ++i)
     largest[i % 4] = std::max(largest[i % 4], std::abs(reference[i]));
-  // The start is at most as large as this coordinate plus what the depth, up to 1, has added.
+  // The bound needs |start| + |added|, where `added` is the depth (at most 1) times the third
+  // column of the matrix. |start| is at most the coordinate's size plus |added|, hence the 2.
   for (std::size_t i = 0; i < 4; ++i) largest[i] += 2 * std::abs(in[4 * i + 2]);
   return first_wrong(
       yours, reference,
@@ -235,8 +236,8 @@ Rgba8 unpacked_colour(double colour) {
   return {std::uint8_t(rgb >> 16), std::uint8_t(rgb >> 8), std::uint8_t(rgb), 255};
 }
 
-// Some rows of the first picture, from the bottom up, as they are packed: the samples of pixel
-// (x, y) with their depths and colours.
+// A sample of the first picture. A Row has, for each pixel of a row from left to right, the samples
+// that the student's pack() keeps.
 struct DepthSample {
   double depth = 0, colour = 0;
 };
@@ -264,7 +265,8 @@ std::vector<Question> pack_questions(const View& first, const std::vector<views:
   return questions;
 }
 
-// The samples of one row in a band's answer; empty where its offsets are not valid.
+// The samples of row y of a band, which is the student's answer for some rows. A pixel is empty if
+// its offsets in the answer are not valid.
 Row row_of(const Numbers& band, int width, int rows, int y) {
   Row row(static_cast<std::size_t>(width));
   const std::size_t offsets = std::size_t(width) * std::size_t(rows) + 1;
@@ -293,8 +295,8 @@ Question row_question(const Numbers& warp, int y, const Row& row) {
   return question;
 }
 
-// The focal length is the same for both axes if the lens has square pixels; otherwise this is the
-// geometric mean.
+// The focal length in pixels. It is the same for both axes if pixels are square; otherwise this is
+// the geometric mean.
 double focal_length(const views::LayerCamera& camera) {
   const Eigen::Vector3d gaze = camera.screen_from_world.row(3).head<3>();
   const auto across = [&](int i) {
@@ -309,8 +311,9 @@ struct WarpedSample {
   double side, colour;
 };
 
-// One question for each band of the second picture: the samples that may cover it, in the order of
-// visits. A sample that is not in front of the eye has no position: it is put into the first band.
+// One question for each band of kRows rows of the second picture: the samples that may cover it, in
+// the order in which they are visited. A sample that is not in front of the eye has no position; it
+// is treated as if it were in the top row.
 std::vector<Question> draw_questions(const std::vector<WarpedSample>& samples, int width,
                                      int height, double background) {
   std::vector<Question> questions;
@@ -352,8 +355,8 @@ Numbers matrix_numbers(const views::LayerCamera& first, const views::LayerCamera
   return numbers;
 }
 
-// For each row of the first picture, from the top: its samples with their positions in the second
-// picture.
+// For each row of the first picture, from the top, and for each of its pixels: the samples with
+// their positions in the second picture.
 using WarpedRows = std::vector<std::vector<std::vector<WarpedSample>>>;
 
 Result<WarpedRows> warp_samples(const std::vector<Numbers>& bands, const Numbers& warp, int width,
@@ -367,7 +370,7 @@ Result<WarpedRows> warp_samples(const std::vector<Numbers>& bands, const Numbers
   }
   auto warped = ask(answer_source, kRow, questions);
   if (!warped) return tl::unexpected(warped.error());
-  // A short answer is padded with zeros.
+  // An answer with too few numbers is filled up with zeros.
   std::vector<Question> size_questions;
   for (std::size_t y = 0; y < rows.size(); ++y) {
     std::size_t samples = 0;
@@ -454,7 +457,7 @@ Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source
   return made;
 }
 
-// The right eye's own picture.
+// The right eye's picture as the pipeline itself draws it, for comparison.
 PictureSetup truth(const DrawingInput& input) {
   PictureSetup right{input.scene, eye_of_pair(input, Side::kRight), input.settings, nullptr, {}};
   right.settings.show = Show::kColor;

@@ -36,7 +36,8 @@ void packed(RecordReader& in, Numbers& out) {
   }
 }
 
-// Input: two matrices from the world. Output: the matrix between the pictures.
+// Input: the matrices from the world to the first picture and to the second one. Output: the matrix
+// from the first picture to the second.
 void matrix(RecordReader& in, Numbers& out) {
   const auto first = in.matrix<Transform<Screen, World>>();
   append_matrix(out, warp_matrix(first, in.matrix<Transform<Screen, World>>()));
@@ -56,8 +57,8 @@ void row(RecordReader& in, Numbers& out) {
     out.insert(out.end(), {double(at.x), double(at.y), double(at.z), double(at.w)});
 }
 
-// Input: F2/F1, then w of some samples that face both eyes. Output: for each the side, and 1 if it
-// is cut or 0.
+// Input: the ratio F2/F1 of the focal lengths, then w of samples that face both eyes. Output: for
+// each sample the side of its square, then 1 if it is cut or 0 if not.
 void size(RecordReader& in, Numbers& out) {
   const double focal_ratio = in.number();
   while (in.more()) {
@@ -67,7 +68,8 @@ void size(RecordReader& in, Numbers& out) {
   }
 }
 
-// Input: the epipole's coordinate, w, the number of columns. Output: their order.
+// Input: the epipole's coordinate multiplied by w, w, the number of columns. Output: the columns in
+// the order in which they are visited.
 void order(RecordReader& in, Numbers& out) {
   const double epipole = in.number(), w = in.number();
   const std::vector<int> visited = visiting_order(epipole, w, in.integer());

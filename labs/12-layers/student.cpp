@@ -56,7 +56,7 @@ Transform<Screen, Screen> warp_matrix(const Transform<Screen, World>& first,
 std::vector<Warped> warp_row(const Transform<Screen, Screen>& warp, int y,
                              const std::vector<std::vector<float>>& depths) {
   // BEGIN SOLUTION
-  constexpr std::size_t kAnchor = 64;  // px
+  constexpr std::size_t kAnchor = 64;  // the sums start anew after so many px
   const auto column = [&](int j) {
     return Warped{float(warp.at(0, j)), float(warp.at(1, j)), float(warp.at(2, j)),
                   float(warp.at(3, j))};
@@ -77,7 +77,7 @@ std::vector<Warped> warp_row(const Transform<Screen, Screen>& warp, int y,
     start = {start.x + step.x, start.y + step.y, start.z + step.z, start.w + step.w};
   }
   return all;
-  // STUB: return {};  // one for each sample
+  // STUB: return {};  // a position for each sample
   // END SOLUTION
 }
 
@@ -89,11 +89,11 @@ Splat splat_size(double focal_ratio, double w, double cosine_first, double cosin
   if (cosine_first == 0) return {kMost, true};
   const double side = focal_ratio / w * std::sqrt(cosine_second / cosine_first);
   return {std::clamp(side, 1.0, kMost), side > kMost};
-  // STUB: return {NAN, false};  // focal lengths, distances, tilt; 1 to 64 px
+  // STUB: return {NAN, false};  // from focal lengths, distances and tilt; 1 to 64 px
   // END SOLUTION
 }
 
-// ---- task 12.5: who is visited later is nearer ----
+// ---- task 12.5: samples that are visited later are nearer ----
 
 std::vector<int> visiting_order(double epipole, double w, int count) {
   // BEGIN SOLUTION
@@ -120,7 +120,7 @@ Image<Rgba8> draw(const Canvas& canvas) {
     const double x = sample.at.x / w, y = sample.at.y / w, z = sample.at.z / w;
     if (z > 1) continue;
     const double half = sample.side / 2;
-    // Clamped before the conversion, because not every double fits into an int.
+    // Values are clamped before they are converted, because not every double fits into an int.
     const auto bounded = [](double v, int end) { return int(std::clamp(v, 0.0, double(end))); };
     const int left = bounded(std::floor(x - half + 0.5), canvas.width);
     const int right = bounded(std::floor(x + half + 0.5), canvas.width);

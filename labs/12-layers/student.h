@@ -31,8 +31,8 @@ struct Sample {
 // to right, the samples of a pixel from back to front.
 struct Layers {
   int width = 0, height = 0;
-  // width * height + 1 numbers: the samples of the i-th pixel, in that order, begin at first[i] and
-  // end before first[i + 1].
+  // width * height + 1 numbers: the samples of the i-th pixel (from the bottom left, row by row)
+  // begin at first[i] and end before first[i + 1].
   std::vector<int> first;
   std::vector<float> depth;
   std::vector<Rgba8> colour;
@@ -41,8 +41,9 @@ struct Layers {
 // Task 12.1. Packs samples, which come in any order and are all inside the picture. A sample is
 // *near* to one in front of it, whose depth is z, if the depths differ by at most epsilon z,
 // computed in double. In each pixel, from front to back: the first sample is kept and absorbs all
-// that are near to it, then the first of the rest is kept and absorbs those near to it, and so on;
-// an absorbed sample absorbs nothing. Among equal depths the first of `samples` is in front. Exact.
+// that are near to it, then the first of the rest is kept and absorbs all that are near to it, and
+// so on; an absorbed sample absorbs nothing. Among equal depths the first of `samples` is in front.
+// Exact.
 Layers pack(int width, int height, const std::vector<Sample>& samples, double epsilon);
 
 // A homogeneous position in a picture: (x w, y w, z w, w), with x and y in pixels, z the depth.
@@ -73,11 +74,12 @@ struct Splat {
   bool is_cut = false;
 };
 
-// Task 12.4. The size at which a sample is drawn: l = focal_ratio / w
-// sqrt(cosine_second / cosine_first), but at least 1 px and at most 64; is_cut if l is larger than
-// 64. focal_ratio is F2/F1 > 0, w = d2/d1 > 0, and the cosines, 0 to 1, are those of the angles
-// between the surface's normal and the lines to the two eyes. A surface that the first eye saw
-// exactly edge-on (cosine 0) is cut to 64 px. Error bound of the side: 8 u side.
+// Task 12.4. The size at which a sample is drawn: l = focal_ratio / w sqrt(cosine_second /
+// cosine_first), but at least 1 px and at most 64; is_cut if l is larger than 64. focal_ratio > 0
+// is F2/F1, the second eye's focal length over the first eye's; w > 0 is d2/d1, the ratio of the
+// distances. The cosines, 0 to 1, are those of the angles between the surface's normal and the
+// lines to the two eyes. A surface that the first eye saw exactly edge-on (cosine 0) is cut to 64
+// px. Error bound of the side: 8 u side.
 Splat splat_size(double focal_ratio, double w, double cosine_first, double cosine_second);
 
 // Task 12.5. The order in which the columns 0 .. count - 1 of the first picture (or its rows) are
@@ -86,8 +88,8 @@ Splat splat_size(double focal_ratio, double w, double cosine_first, double cosin
 // in front of the first eye and is seen at the column epipole / w. With w < 0 it is behind the
 // first eye, and epipole / w is where the line through both eyes meets the picture. With w = 0 it
 // is to the side: to the right (or below) if epipole > 0. The position of a column is its centre.
-// First come all columns that are visited with growing numbers, then the others with falling
-// numbers; a column whose centre is the epipole is one of the others. Exact.
+// First come all columns that are visited with growing numbers, then all that are visited with
+// falling numbers. A column whose centre is the epipole is visited with falling numbers. Exact.
 std::vector<int> visiting_order(double epipole, double w, int count);
 
 // A sample on its way into the second picture: a square around its position.
@@ -113,7 +115,8 @@ struct Canvas {
 // if it is behind the eye or nearer than the near plane. It covers those pixels whose centres are
 // in (x - side/2, x + side/2] and (y - side/2, y + side/2], with x = x w / w in double, and y
 // likewise. It may be outside the picture, or as far away as a float can express. Exact: no pixel
-// centre is within 2^-20 px of an edge of the square, unless x, y and side are short numbers.
+// centre is within 2^-20 px of an edge of the square, unless x, y and side have so few digits that
+// nothing is rounded.
 Image<Rgba8> draw(const Canvas& canvas);
 
 }  // namespace lab_12

@@ -1,4 +1,5 @@
-// The inputs of lab 13's cases, shared by runner and judge.
+// The inputs of lab 13's test cases: for the runner, which calls the student's functions, and for
+// the checks, which compute the expected answers.
 #pragma once
 
 #include <algorithm>
@@ -163,8 +164,8 @@ struct FootprintCase {
   Voxel voxel;
   int width = 16, height = 12;
 };
-// A camera that looks along z from (0, 0, -depth), with f px per unit at distance 1 and the axis at
-// pixel (cu, cv).
+// A camera at (0, 0, -depth) that looks along z. `focal` is the size in px of a unit at distance 1,
+// and the gaze is at pixel (cu, cv).
 inline Projection along_z(double focal, double cu, double cv, double depth) {
   return {{{focal, 0, cu, cu * depth}, {0, focal, cv, cv * depth}, {0, 0, 1, depth}}};
 }
@@ -176,7 +177,7 @@ inline std::vector<FootprintCase> footprints() {
 }
 // BEGIN HIDDEN
 inline FootprintCase random_footprint(glassbox::Random& random) {
-  // Turned about two axes by angles whose cosines have few digits.
+  // The camera is turned about two axes by the angle with cosine 0.8 and sine 0.6.
   const double c = 0.8, s = 0.6, depth = random.between(20, 60), focal = random.between(10, 400);
   const double rows[3][3] = {{c, 0, -s}, {s * s, c, s * c}, {s * c, -s, c * c}};
   FootprintCase made{"any", {}, {}, 24, 18};
@@ -219,22 +220,22 @@ struct SweepCase {
   Grid grid;
   Threshold threshold{0, 18};
 };
-// A camera so far away that voxel (x, y, z) is at pixel (x - slope z + beside, y).
+// An empty picture by a parallel projection: voxel (x, y, z) is at pixel (x - slope z + beside, y).
 inline Picture flat_picture(double slope, double beside, int width, int height) {
   return {{{{1, 0, -slope, beside + slope / 2}, {0, 1, 0, 0}, {0, 0, 0, 1}}},
           width,
           height,
           std::vector<Pixel>(std::size_t(width) * std::size_t(height), background())};
 }
-// A coloured voxel. flat_pictures() gives the pictures of 8 x 3 x 5 voxels by one such camera for
-// each slope; nearer layers hide farther ones.
+// A coloured voxel. flat_pictures() draws such voxels of a grid of 8 x 3 x 5, one picture for each
+// slope of flat_picture(); a voxel of smaller z is nearer and hides those behind it.
 struct Solid {
   Voxel at;
   Colour colour;
 };
 inline std::vector<Picture> flat_pictures(std::vector<Solid> solids, std::vector<double> slopes) {
   std::vector<Picture> pictures;
-  // The nearest ones are painted last.
+  // The nearest voxels, those of smallest z, are painted last.
   std::stable_sort(solids.begin(), solids.end(),
                    [](const Solid& a, const Solid& b) { return a.at.z > b.at.z; });
   for (const double slope : slopes) {
@@ -259,14 +260,14 @@ inline std::vector<SweepCase> sweeps() {
            kGrid}};
 }
 // BEGIN HIDDEN
-// The same pictures for a grid whose layers are along another axis: the axes of the grid are
-// swapped.
+// The same pictures for a grid whose layers are stacked along another axis: two axes of the grid
+// are swapped.
 inline SweepCase turned(SweepCase made, int axis, int away) {
   const std::size_t to = std::size_t(axis);
   for (Picture& picture : made.pictures) {
     for (auto& row : picture.pixel_from_grid) {
       std::swap(row[to], row[2]);
-      // Uses coordinate n - c in place of c.
+      // If away is -1, coordinate c becomes n - c, where n is the number of layers.
       if (away > 0) continue;
       row[3] += row[to] * made.grid.count[2];
       row[to] = -row[to];
@@ -310,7 +311,7 @@ inline std::vector<SweepCase> hidden_sweeps() {
   }
   SweepCase behind = wall;
   behind.what = "one camera behind the grid";
-  // The same positions in the picture, but seen from behind along the same lines through the
+  // All entries change their sign: u and v stay the same, but w < 0, so all voxels are behind the
   // camera.
   for (auto& row : behind.pictures[0].pixel_from_grid)
     for (double& entry : row) entry = -entry;

@@ -1,4 +1,4 @@
-// The expected answers of lab 13: the definitions, written out (reference.h).
+// The expected answers of lab 13, from reference.h, which follows the definitions word for word.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -15,11 +15,13 @@ namespace glassbox::labs {
 
 namespace lab_13_drawing {
 
-// An angle that is not one of a scene's planes of symmetry, so that no voxel's centre is exactly
-// between two pixels.
+// The number of views, and the side in px of each picture; the grid's resolution in voxels. The
+// first view is at the angle kStart, which is in no plane of symmetry of a scene, so that no
+// voxel's centre is projected exactly between two pixels.
 constexpr int kViews = 8, kSide = 64, kResolution = 32;
 constexpr double kElevation = 40, kStart = 7.3;
-// Its square is not a quotient that eight whole levels can give.
+// The deviation of up to eight colours with whole levels is never exactly this threshold, so
+// rounding cannot change a verdict.
 constexpr double kThreshold = 18.3;
 
 using views::Vector3d;
@@ -169,7 +171,8 @@ std::vector<views::ColoredVoxel> voxels_in(const Numbers& answer, const views::V
     if (!is_in) continue;
     const auto level = [&](std::size_t k) {
       const double value = answer[i + 3 + k];
-      // Means of whole levels: whether a half is rounded up must not depend on the last digit.
+      // A mean of whole levels can be exactly halfway between two levels. It is always rounded up,
+      // even if its last digit makes it slightly too small.
       constexpr double kHalf = 0.5 + 0x1p-20;
       return std::uint8_t(std::floor(std::clamp(value > 0 ? value : 0.0, 0.0, 255.0) + kHalf));
     };
@@ -181,7 +184,8 @@ std::vector<views::ColoredVoxel> voxels_in(const Numbers& answer, const views::V
   return all;
 }
 
-// The first axis that has an order, and its direction; z if there is none.
+// The first axis along which the student's answer gives an order of layers, and its direction (1 or
+// -1); the z axis if there is none.
 std::pair<int, int> sweep_direction(const Numbers& order) {
   for (std::size_t axis = 0; axis < 3 && axis + 1 < order.size(); ++axis) {
     if (order[axis + 1] == 1 || order[axis + 1] == -1) return {int(axis), int(order[axis + 1])};
@@ -217,7 +221,7 @@ Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source
   return made;
 }
 
-// The camera's picture of the scene itself.
+// The camera's picture of the scene itself, as the pipeline draws it, for comparison.
 PictureSetup truth(const DrawingInput& input) {
   PictureSetup scene{input.scene, input.view, input.settings, nullptr, {}};
   scene.settings.show = Show::kColor;

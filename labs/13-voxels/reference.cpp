@@ -60,15 +60,17 @@ double largest(const std::vector<Colour>& colours) {
 
 }  // namespace
 
-// A sum of K numbers rounds K - 1 times, by u of at most K times the largest number, and once more
-// when it is divided.
+// The bound: a sum of K numbers rounds K - 1 times, each time by u of at most K times the largest
+// number, where u is the unit roundoff. The division by K leaves (K - 1) u of the largest number
+// and rounds once more.
 double mean_bound(const std::vector<Colour>& colours) {
   return (double(colours.size()) + 4) * kUnit * largest(colours);
 }
 
-// A variance has an error of n u kappa, kappa^2 = 1 + mean^2 / deviation^2 (Chan, Golub and LeVeque
-// 1983); its root has half of that and a few roundings more. Where all values are equal, a mean
-// that is off by some u leaves squares of that size.
+// The bound: a variance of n values has a relative error of n u kappa with kappa^2 = 1 + mean^2 /
+// deviation^2 (Chan, Golub and LeVeque 1983). Its root, the deviation, has half of that and a few
+// roundings more; kappa times the deviation is at most the hypot() below. If all values are equal,
+// a mean with an error of some u leaves a deviation of that size.
 double deviation_bound(const std::vector<Colour>& colours, double deviation) {
   return (double(colours.size()) + 8) * kUnit * std::hypot(deviation, largest(colours));
 }
@@ -147,7 +149,7 @@ std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& v
 
 std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,
                             const Threshold& threshold) {
-  // All voxels in the order in which they are visited.
+  // The number of a voxel's layer, in the order in which layers are visited.
   const auto layer_of = [&](const Voxel& v) {
     const int place = grid.axis == 0 ? v.x : grid.axis == 1 ? v.y : v.z;
     return grid.away > 0 ? place : grid.count[std::size_t(grid.axis)] - 1 - place;

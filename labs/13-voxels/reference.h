@@ -1,4 +1,5 @@
-// Voxel colouring, written exactly as its definitions say, for lab 13's judges.
+// Voxel colouring for the checks and the drawing of lab 13, written word for word as its
+// definitions say, without shortcuts.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,8 @@ namespace glassbox::labs::voxels {
 
 lab_13::Order classify(const std::vector<lab_13::Place>& cameras, const lab_13::Box& box);
 
-// Computed in long double: the remaining rounding errors are far below the bounds.
+// The mean and the deviation are computed in long double, so that the remaining rounding errors are
+// far below the bounds.
 lab_13::Statistics statistics(const std::vector<lab_13::Colour>& colours);
 inline constexpr double kUnit = 0x1p-53;
 double mean_bound(const std::vector<lab_13::Colour>& colours);

@@ -13,7 +13,8 @@ Place place(RecordReader& in) {
   return {x, y, in.number()};
 }
 
-// Input: the box's corners, then cameras. Output: the kind, and the direction along each axis.
+// Input: the low and the high corner of the box, then the positions of the cameras. Output: the
+// Kind, then for each axis 1, -1 or 0 as in Order::away.
 void order(RecordReader& in, Numbers& out) {
   const Place low = place(in);
   const Box box{low, place(in)};
@@ -24,9 +25,9 @@ void order(RecordReader& in, Numbers& out) {
   for (const int away : found.away) out.push_back(away);
 }
 
-// Input: voxels along x, y and z, axis, direction, k1, k2, then pictures: P row by row, width,
-// height, and pixels (65536 red + 256 green + blue, or -1 for background). Output: position and
-// mean colour of each coloured voxel.
+// Input: the numbers of voxels along x, y and z, the layers' axis and direction, k1 and k2 of the
+// threshold, then pictures: pixel_from_grid row by row, width, height, and pixels (65536 red + 256
+// green + blue, or -1 for background). Output: position and mean colour of each coloured voxel.
 void coloured(RecordReader& in, Numbers& out) {
   Grid grid;
   for (int& count : grid.count) count = in.integer();

@@ -6,7 +6,7 @@
 
 namespace lab_13 {
 
-// ---- task 13.1: who comes first ----
+// ---- task 13.1: the order of the layers ----
 
 Order classify(const std::vector<Place>& cameras, const Box& box) {
   // BEGIN SOLUTION
@@ -28,7 +28,7 @@ Order classify(const std::vector<Place>& cameras, const Box& box) {
   constexpr Kind kKinds[] = {Kind::kSurrounded, Kind::kHalfSpace, Kind::kQuadrant, Kind::kOctant};
   order.kind = orders == 0 && all_inside ? Kind::kEmbedded : kKinds[orders];
   return order;
-  // STUB: return {};  // beyond a face along three axes, two, one or none
+  // STUB: return {};  // all beyond the same face, along how many axes?
   // END SOLUTION
 }
 
@@ -114,7 +114,7 @@ std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& v
   std::vector<PixelAt> pixels;
   bool has_own = !is_inside;
   if (all_before) {
-    // Clamped before the conversion, because not every double fits into an int.
+    // Values are clamped before they are converted, because not every double fits into an int.
     const auto first = [](double low, int end) {
       return int(std::clamp(std::ceil(low - 0.5), 0.0, double(end)));
     };
@@ -130,7 +130,7 @@ std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& v
   }
   if (!has_own) pixels.push_back(own);
   return pixels;
-  // STUB: return {{-1, -1}};  // the centres in the rectangle, and at least the voxel's own
+  // STUB: return {{-1, -1}};  // pixels in the rectangle, and that of the voxel's centre
   // END SOLUTION
 }
 
@@ -139,7 +139,7 @@ std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& v
 std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,
                             const Threshold& threshold) {
   // BEGIN SOLUTION
-  // The pixel of a voxel's centre; null where the picture has none.
+  // The pixel that shows the voxel's centre; null if the centre is not in the picture.
   const auto pixel_of = [](Picture& picture, const Voxel& v) -> Pixel* {
     std::array<double, 3> h{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -182,7 +182,7 @@ std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,
     }
   }
   return coloured;
-  // STUB: return {};  // judge each, then hide what is behind the layer
+  // STUB: return {};  // judge all voxels of a layer, then hide their pixels
   // END SOLUTION
 }
 

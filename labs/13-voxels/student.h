@@ -1,10 +1,10 @@
 // Lab 13: voxel colouring. The contracts of the five functions that you write in student.cpp.
 //
-// Voxels are cubes of edge 1 in grid coordinates: voxel (x, y, z) reaches from (x, y, z) to
-// (x + 1, y + 1, z + 1). A camera maps grid coordinates to its picture by P = pixel_from_grid,
-// three rows of four: (u w, v w, w) = P (x, y, z, 1), with u and v in pixels from the top left, y
-// down. Pixel (i, j) is [i, i + 1) x [j, j + 1) with its centre at (i + 1/2, j + 1/2). w > 0 is in
-// front of the camera. Colours are three numbers from 0 to 255. u is also the unit roundoff of
+// Voxels are cubes of edge 1 in grid coordinates: voxel (x, y, z) reaches from (x, y, z) to (x + 1,
+// y + 1, z + 1). A camera maps grid coordinates to its picture by P = pixel_from_grid, three rows
+// of four: (u w, v w, w) = P (x, y, z, 1), with u and v in pixels from the top left, v down. Pixel
+// (i, j) is [i, i + 1) x [j, j + 1) with its centre at (i + 1/2, j + 1/2). w > 0 is in front of the
+// camera. Colours are three numbers from 0 to 255. In error bounds, u is the unit roundoff of
 // double, 2^-53.
 #pragma once
 
@@ -20,12 +20,13 @@ struct Box {
   Place low, high;  // low <= high along each axis
 };
 
-// The position of the cameras relative to the box (S1-38).
+// The position of the cameras relative to the box (S1-38): along how many axes all cameras are
+// beyond the same face of the box.
 enum class Kind {
   kUnknown = -1,
-  kOctant = 0,     // beyond one of its faces along three axes
-  kQuadrant = 1,   // beyond a face along two axes
-  kHalfSpace = 2,  // beyond a face along one axis
+  kOctant = 0,     // along three axes, all cameras are beyond the same face
+  kQuadrant = 1,   // along two axes, all cameras are beyond the same face
+  kHalfSpace = 2,  // along one axis, all cameras are beyond the same face
   kEmbedded = 3,   // along no axis, and all cameras are in the box
   kSurrounded = 4  // along no axis, and not all cameras are in the box
 };
@@ -36,9 +37,10 @@ struct Order {
   std::array<int, 3> away{0, 0, 0};
 };
 
-// Task 13.1. The kind and the order for at least one camera. *Below* the box means a coordinate
-// less than the smallest of the box, *above* one greater than the largest of the box: a camera on a
-// face is neither below nor above, and counts as in the box. Exact.
+// Task 13.1. How the cameras are placed around the box, and the order in which its voxels are
+// visited, for at least one camera. *Below* the box means a coordinate less than the smallest of
+// the box, *above* one greater than the largest of the box: a camera on a face is neither below nor
+// above, and is in the box if no other coordinate is outside it. The result must be exact.
 Order classify(const std::vector<Place>& cameras, const Box& box);
 
 using Colour = std::array<double, 3>;
@@ -59,15 +61,15 @@ Statistics statistics(const std::vector<Colour>& colours);
 struct Pixel {
   Colour colour{0, 0, 0};
   bool is_background = false;  // the pixel shows no part of the object
-  bool is_hidden = false;      // something nearer has already been coloured there
+  bool is_hidden = false;      // the pixel shows a nearer voxel that is coloured
 };
 
 enum class Verdict {
   kUnknown = -1,
-  kBackground = 0,    // in one picture all its pixels are background
-  kHidden = 1,        // no picture sees it
-  kAlone = 2,         // only one picture sees it
-  kInconsistent = 3,  // the colours of its pixels differ
+  kBackground = 0,    // in one picture all pixels of the voxel are background
+  kHidden = 1,        // no picture sees the voxel
+  kAlone = 2,         // only one picture sees the voxel
+  kInconsistent = 3,  // the colours of the voxel's pixels differ
   kColoured = 4
 };
 
@@ -76,13 +78,14 @@ struct Threshold {
 };
 
 // Task 13.3. The verdict on a voxel. pictures[i] are those pixels of picture i that belong to the
-// voxel; none where the voxel is outside the picture, which then has no say. If in one picture all
-// of the voxel's pixels are background: kBackground, regardless of the other pictures. A picture
-// *sees* the voxel if one of its pixels is neither background nor hidden. If no picture sees it:
-// kHidden; if only one does: kAlone. Otherwise consider all pixels, of all pictures together, that
-// are neither background nor hidden: kColoured if their deviation is less than T = k1 M + k2, where
-// M is the mean of the deviations within each picture that sees the voxel; kInconsistent if not. No
-// case has a deviation within 2^-40 of T, except those that are exactly equal.
+// voxel; it is empty if the voxel is outside the picture, and the picture is then ignored. If in
+// one picture all of the voxel's pixels are background: kBackground, regardless of the other
+// pictures. A picture *sees* the voxel if one of its pixels is neither background nor hidden. If no
+// picture sees it: kHidden; if only one does: kAlone. Otherwise consider all pixels, of all
+// pictures together, that are neither background nor hidden: kColoured if their deviation is less
+// than T = k1 M + k2, where M is the mean of the deviations within each picture that sees the
+// voxel; kInconsistent if not. In no case is the deviation within 2^-40 of T, unless it is exactly
+// T.
 Verdict judge(const std::vector<std::vector<Pixel>>& pictures, const Threshold& threshold);
 
 using Projection = std::array<std::array<double, 4>, 3>;  // P[row][column]
@@ -97,10 +100,11 @@ struct PixelAt {
 // Task 13.4. The pixels of a voxel in a picture of width x height: those whose centres are in the
 // smallest upright rectangle around the eight projected corners, or on its border, row by row from
 // the top and from left to right. The pixel that contains the projected centre of the voxel is
-// always one of them: where it is not in the rectangle it comes last. Pixels outside the picture
-// are left out. If a corner is not in front of the camera, the centre's pixel is the only one; if
-// the centre is not, there is none. Exact: no pixel centre is within 2^-20 px of a border, except
-// where all numbers are short.
+// always one of them: if its own centre is not in the rectangle it comes last. Pixels outside the
+// picture are left out. If a corner is not in front of the camera, the pixel of the voxel's centre
+// is the only one; if the voxel's centre is not in front of it, there is none. Exact: no pixel
+// centre is within 2^-20 px of a border, unless all numbers have so few digits that nothing is
+// rounded.
 std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& voxel, int width,
                                int height);
 
@@ -112,8 +116,8 @@ struct Picture {
 
 struct Grid {
   std::array<int, 3> count{0, 0, 0};  // voxels along x, y and z
-  int axis = 2;                       // the axis across which the layers are: 0 is x, 1 y, 2 z
-  int away = 1;                       // 1: layer 0 first; -1: the last one first
+  int axis = 2;                       // layers are stacked along this axis: 0 is x, 1 y, 2 z
+  int away = 1;                       // 1: layer 0 comes first; -1: the last layer does
 };
 
 struct Coloured {

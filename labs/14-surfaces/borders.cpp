@@ -7,8 +7,8 @@
 
 namespace glassbox::labs {
 
-// A border consists of those sides of triangles that no other triangle passes in the opposite
-// direction.
+// A border consists of the sides of triangles that belong to one triangle only: a side that two
+// triangles share appears a second time in the opposite direction, and is left out.
 std::vector<std::vector<int>> borders_in_cell(unsigned inside) {
   std::map<int, int> next;
   const auto& triangles = views::consistent_table()[inside].triangles;

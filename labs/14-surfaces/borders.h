@@ -5,9 +5,9 @@
 
 namespace glassbox::labs {
 
-// The border of each piece of the surface in a cell whose corners `inside` (one bit each) are
-// inside: the numbers of its edges, each border from its lowest edge, the pieces in the order of
-// their lowest edges.
+// The borders of the surface in a cell, as lists of the numbers of the cell's edges that they
+// cross. Bit c of `inside` says that corner c of the cell is inside. Each border begins with its
+// edge of lowest number, and the borders are in the order of these edges.
 std::vector<std::vector<int>> borders_in_cell(unsigned inside);
 
 }  // namespace glassbox::labs

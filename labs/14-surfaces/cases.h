@@ -1,4 +1,5 @@
-// The inputs of lab 14's cases, shared by runner and judge.
+// The inputs of lab 14's test cases: for the runner, which calls the student's functions, and for
+// the checks, which compute the expected answers.
 #pragma once
 
 #include <cmath>
@@ -30,7 +31,7 @@ inline std::vector<CellCase> cells() {
           {"opposite corners of the cell", 0b10000001}};
 }
 // BEGIN HIDDEN
-// All other cells, sixteen in a case: the report names the first one that is wrong.
+// All 256 cells, sixteen in a test case: the report names the first cell that is wrong.
 struct CellsCase {
   std::string what;
   unsigned first = 0;
@@ -151,7 +152,8 @@ struct ViewCase {
   std::array<bool, 3> sees{true, true, true};
 };
 
-// A unit vector with few digits, for suitable numbers.
+// The unit vector (x, y, z) / length. The caller gives the length, for vectors whose quotients have
+// few digits.
 inline Vector along(double x, double y, double z, double length) {
   return {x / length, y / length, z / length};
 }
@@ -195,7 +197,7 @@ inline ViewCase random_views(glassbox::Random& random) {
     ViewCase made{"any views"};
     for (Vector& view : made.views) view = random_direction(random);
     if (std::abs(volume_of(made.views)) < 0.1) continue;
-    // A direction that is between the views in most cases.
+    // The direction is a weighted sum of the views, and is between them in most cases.
     Vector v{};
     for (const Vector& view : made.views) {
       const double w = random.between(-0.1, 1);
@@ -240,8 +242,8 @@ struct BandCase {
   std::size_t k = 1;
 };
 
-// Pixels with `bands` bands that are mixed from `sources` hidden ones, with a little noise of their
-// own.
+// Pixels with `bands` bands. Each band of a pixel is a mixture of the same `sources` random values,
+// plus `offset` and a little noise.
 inline Pixels mixed_bands(glassbox::Random& random, int count, std::size_t bands,
                           std::size_t sources, double offset) {
   Matrix mix(bands, std::vector<double>(sources));
@@ -263,8 +265,8 @@ inline Pixels mixed_bands(glassbox::Random& random, int count, std::size_t bands
   return pixels;
 }
 
-// The mean that task 14.6 gets: not the student's, so that the two tasks do not depend on each
-// other.
+// The mean that task 14.6 gets. It is not the student's answer to task 14.5, so that the tasks do
+// not depend on each other.
 inline std::vector<double> given_mean(const Pixels& pixels) {
   std::vector<double> mean(pixels.front().size(), 0);
   for (const auto& x : pixels) {

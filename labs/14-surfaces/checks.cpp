@@ -1,5 +1,6 @@
-// The expected answers of lab 14: cells by the table of views/polygons, lists by sorting again,
-// weights by exact rationals, bands in extended precision.
+// The expected answers of lab 14: cells from the table of views/polygons, lists from sorting again
+// after each change, weights from exact rational numbers, bands from extended precision (long
+// double).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,8 +64,8 @@ Case expect_cells(const CellsCase& input) {
 
 // ---- edges ----
 
-// Two differences and a quotient: 3 u; and the clamp that keeps the answer 2^-10 away from both
-// ends does not round.
+// The bound: two differences and a quotient round, 3 u (u = 2^-53 is the unit roundoff). The clamp
+// that keeps the answer 2^-10 away from both ends does not round.
 Case expect_crossing(const EdgeCase& input) {
   double share = 0.5;
   if (!std::isinf(input.from) && !std::isinf(input.to)) {
@@ -143,9 +144,10 @@ struct ExactWeights {
   double bound = 0;
 };
 
-// By Cramer's rule. Each volume is within 5 u of the sum of the sizes of its terms, which is at
-// most 2 for unit vectors. Divided by |det| this is the error of a weight; a weight divided by a
-// sum that is at least as large has at most four times that error.
+// The weights by Cramer's rule: a quotient of two determinants each. A determinant has an error of
+// at most 5 u times the sum of the sizes of its terms, which is at most 2 for unit vectors. This
+// error, divided by |det|, is the error of a weight. A weight divided by a sum that is at least as
+// large has at most four times that error: 40 u / |det|, and 64 u / |det| is allowed.
 ExactWeights exact_weights(const ViewCase& input) {
   const Exact3 v = exact_vector(input.direction);
   std::array<Exact3, 3> views;
@@ -210,8 +212,9 @@ double largest_value(const Pixels& pixels) {
   return most;
 }
 
-// Sums of n terms round by up to n u of the sum of their sizes, which the entries on the diagonal
-// bound (Cauchy-Schwarz). A mean that is off by d, at most n u of the largest value, adds d^2.
+// The bound: a sum of n terms rounds by up to n u of the sum of their sizes, which is at most n
+// times the largest entry on the diagonal (Cauchy-Schwarz). A mean that has an error d, at most n u
+// of the largest value, adds d^2 to an entry.
 Case expect_statistics(const BandCase& input) {
   const std::vector<Long> mean = long_mean(input.pixels);
   const std::size_t bands = mean.size();
@@ -235,8 +238,8 @@ Case expect_statistics(const BandCase& input) {
                                                                8 * n * u * most + 4 * off * off)}};
 }
 
-// A product of up to 7 bands and k sums: less than 32 u of |x - m| for each; adding the mean rounds
-// by its own size.
+// The bound for a pixel x with the mean m: dot products of up to 7 bands and a sum over k
+// components round by less than 32 u of |x - m|; adding the mean rounds by u of the result.
 Case expect_reconstruction(const BandCase& input) {
   const std::vector<double> mean = given_mean(input.pixels);
   const lab_14::Matrix vectors = given_vectors(input.pixels, mean);
@@ -262,7 +265,9 @@ Case expect_reconstruction(const BandCase& input) {
   const auto n = Long(input.pixels.size());
   const double u = unit_roundoff<double>;
   const double bound = 64 * u * double(farthest) + 4 * u * largest_value(input.pixels);
-  // Residuals have the same errors as the pixels.
+  // A residual, the pixel minus its approximation, has the same rounding error as the
+  // approximation, `bound`; its square has the error 2 bound |x - m|, because it is at most |x - m|
+  // long.
   const double of_error = 256 * u * double(spread / n) + 2 * bound * double(farthest);
   return {.where = input.what,
           .restated = fmt::format("{} pixels of {} bands, {} components", input.pixels.size(),

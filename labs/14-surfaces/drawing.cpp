@@ -1,5 +1,5 @@
-// Lab 14 in a picture: the inside of the scene as voxels, and the surface around them from the
-// student's polygons and crossings.
+// Lab 14 in a picture: the inside of the scene's objects becomes voxels, and the surface around the
+// voxels is drawn from the student's polygons and crossings.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -92,8 +92,8 @@ std::vector<CrossedCell> crossed_cells(const views::ScalarField& field) {
   return cells;
 }
 
-// The polygons that an answer gives for each of some sets of corners. Edges that a cell does not
-// have are ignored, and so are polygons of fewer than three edges.
+// The polygons that the student's answer gives for each of `sets` sets of inside corners. Numbers
+// that are no edges of a cell are ignored, and so are polygons of fewer than three edges.
 std::vector<std::vector<std::vector<int>>> polygons_of(const Numbers& answer, std::size_t sets) {
   std::vector<std::vector<std::vector<int>>> all(sets);
   std::size_t at = 0;
@@ -136,7 +136,7 @@ Result<PictureSetup> draw_surface(const DrawingInput& input, AnswerSource& answe
   if (!tables) return tl::unexpected(tables.error());
   const auto table = polygons_of(tables->front(), 256);
 
-  // Every edge is asked about once, regardless of how many cells it belongs to.
+  // The question contains every edge once, regardless of how many cells it belongs to.
   std::map<std::array<int, 4>, std::size_t> numbers;
   Question pairs{{kLevel}};
   std::vector<views::Vector3d> starts, directions;
@@ -174,7 +174,7 @@ Result<PictureSetup> draw_surface(const DrawingInput& input, AnswerSource& answe
     const views::Vector3d p = views::world_of_lattice(*grid, starts[i] + t * directions[i]);
     mesh.positions.push_back({float(p.x()), float(p.y()), float(p.z())});
   }
-  // Each polygon is divided into a fan of triangles, because polygons are not flat.
+  // Each polygon is divided into a fan of triangles, because its corners may not be in one plane.
   for (const std::vector<std::size_t>& polygon : polygons) {
     for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
       mesh.faces.push_back({std::uint32_t(mesh.corners.size()), 3});

@@ -8,7 +8,7 @@ namespace {
 
 using glassbox::labs::Answer;
 
-// The polygons one after the other, with -1 between them.
+// The edges of all polygons, one polygon after the other, with -1 after each.
 std::vector<double> edge_list(const std::vector<std::vector<int>>& polygons) {
   std::vector<double> all;
   for (const std::vector<int>& polygon : polygons) {
@@ -32,7 +32,7 @@ void edge(const EdgeCase& input, Answer& answer) {
   answer.emit("share", {crossing(input.from, input.to, input.level)});
 }
 
-// Emits the visible samples after each edit, and all samples at the end.
+// Emits the id of the nearest sample of each pixel after each edit, and all samples at the end.
 void edited(const EditCase& input, Answer& answer) {
   Layers layers(input.pixels);
   std::vector<double> seen;

@@ -8,8 +8,8 @@ namespace {
 using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 
-// Input: sets of inside corners. Output: the polygons of each: the number of edges and the edges of
-// every polygon; then 0.
+// Input: sets of inside corners, one bit for each corner. Output: for each set its polygons (the
+// number of edges, then the edges), and then 0.
 void polygons(RecordReader& in, Numbers& out) {
   while (in.more()) {
     for (const std::vector<int>& polygon : cell_polygons(unsigned(in.integer()))) {
@@ -20,7 +20,8 @@ void polygons(RecordReader& in, Numbers& out) {
   }
 }
 
-// Input: the level, then pairs of values. Output: the fraction of each.
+// Input: the level, then the values at the two ends of each edge. Output: for each edge the
+// fraction of its length at which the surface crosses it.
 void shares(RecordReader& in, Numbers& out) {
   const double level = in.number();
   while (in.more()) {

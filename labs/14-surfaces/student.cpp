@@ -14,7 +14,7 @@ static int edge_between(int a, int b) {
   }
   return -1;
 }
-// STUB: // what helps you
+// STUB: // your own helper functions, if you want any
 // END SOLUTION
 
 std::vector<std::vector<int>> cell_polygons(unsigned inside) {
@@ -25,7 +25,8 @@ std::vector<std::vector<int>> cell_polygons(unsigned inside) {
   for (const std::array<int, 4>& face : kFaces) {
     for (std::size_t i = 0; i < 4; ++i) {
       if (is_in(face[i]) || !is_in(face[(i + 1) % 4])) continue;
-      // A run of inside corners begins here; it ends after its last corner.
+      // A run of inside corners begins with corner i + 1 of the face. `last` becomes its last
+      // corner.
       std::size_t last = (i + 1) % 4;
       while (is_in(face[(last + 1) % 4])) last = (last + 1) % 4;
       const int begins = edge_between(face[i], face[(i + 1) % 4]);
@@ -43,7 +44,7 @@ std::vector<std::vector<int>> cell_polygons(unsigned inside) {
     if (!polygon.empty()) polygons.push_back(polygon);
   }
   return polygons;
-  // STUB: return {};  // from where a run begins to where it ends, on all faces
+  // STUB: return {};  // on all faces, from the edge where a run begins to where it ends
   // END SOLUTION
 }
 
@@ -54,7 +55,7 @@ double crossing(double from, double to, double level) {
   if (std::isinf(from) || std::isinf(to)) return 0.5;
   const double share = (level - from) / (to - from);
   return std::clamp(share, kLeastStep, 1 - kLeastStep);
-  // STUB: return NAN;  // linear, and off the ends
+  // STUB: return NAN;  // linear interpolation, kept away from both ends
   // END SOLUTION
 }
 
@@ -70,7 +71,7 @@ void add(Layers& layers, int id, const std::vector<Covered>& covered) {
     });
     here.insert(place, Sample{c.distance, id});
   }
-  // STUB: (void)layers, (void)id, (void)covered;  // sorted
+  // STUB: (void)layers, (void)id, (void)covered;  // each pixel's samples stay sorted
   // END SOLUTION
 }
 
@@ -82,7 +83,7 @@ void remove(Layers& layers, int id, const std::vector<Covered>& covered) {
                                    [&](const Sample& s) { return s.id == id; });
     if (gone != gone_from.end()) gone_from.erase(gone);
   }
-  // STUB: (void)layers, (void)id, (void)covered;  // wherever it is in the list
+  // STUB: (void)layers, (void)id, (void)covered;  // at any place in the pixel's list
   // END SOLUTION
 }
 
@@ -95,7 +96,7 @@ static double dot(const Vector& a, const Vector& b) {
 static Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-// STUB: // what helps you
+// STUB: // your own helper functions, if you want any
 // END SOLUTION
 
 std::array<double, 3> view_weights(const Vector& direction, const std::array<Vector, 3>& views,
@@ -123,7 +124,7 @@ std::array<double, 3> view_weights(const Vector& direction, const std::array<Vec
   }
   if (nearest < 3) w[nearest] = 1;
   return w;
-  // STUB: return {NAN, NAN, NAN};  // solved, left out, divided, or the nearest
+  // STUB: return {NAN, NAN, NAN};  // solve, set some to 0, divide by the sum; or the nearest view
   // END SOLUTION
 }
 
@@ -144,11 +145,11 @@ Statistics statistics(const Pixels& pixels) {
     }
   }
   return found;
-  // STUB: return {};  // first the mean, then what differs from it
+  // STUB: return {};  // first the mean, then the differences from it
   // END SOLUTION
 }
 
-// ---- task 14.6: what k components have ----
+// ---- task 14.6: pixels made of k components ----
 
 Reconstruction reconstruct(const Pixels& pixels, const std::vector<double>& mean,
                            const Matrix& vectors, std::size_t k) {
@@ -167,7 +168,7 @@ Reconstruction reconstruct(const Pixels& pixels, const std::vector<double>& mean
     made.pixels.push_back(again);
   }
   return made;
-  // STUB: return {};  // the mean, and the first k
+  // STUB: return {};  // the mean, and the first k components
   // END SOLUTION
 }
 

@@ -36,15 +36,15 @@ inline constexpr std::array<std::array<int, 4>, 6> kFaces{
 // corners are on. Bit c of `inside` says that corner c is inside. Around a face, counter-clockwise,
 // a run of inside corners begins on one edge and ends on another; the surface passes along the face
 // from the edge where a run begins to the edge where the same run ends. So inside corners that are
-// diagonally opposite are cut off one by one, in the cell on either side of the face. The lines on
-// all faces form closed polygons, counter-clockwise seen from the outside of the solid. Each is
-// listed from its edge of lowest number, and the polygons are in the order of those edges. Exact.
+// diagonally opposite are cut off one by one, in both cells that have this face. The lines on all
+// faces form closed polygons, counter-clockwise seen from the outside of the solid. Each is listed
+// from its edge of lowest number, and the polygons are in the order of those edges. Exact.
 std::vector<std::vector<int>> cell_polygons(unsigned inside);
 
-// Task 14.2. Where on an edge the surface is, as a fraction of its length from the first end.
-// `from` and `to` are the values at the ends; one is at least the level (inside) and the other
-// below it. The answer is where the linear interpolation between them has the value of the level,
-// but at least kLeastStep away from both ends (C-96). A value outside the lattice is minus
+// Task 14.2. Where on an edge the surface is, as a fraction of the edge's length from its first
+// end. `from` and `to` are the values at the ends; one is at least the level (inside) and the other
+// below it. The answer is where the linear interpolation between these values is equal to the
+// level, but at least kLeastStep away from both ends (C-96). A value outside the lattice is minus
 // infinity; then the answer is one half. Error bound: 8 u of the answer.
 inline constexpr double kLeastStep = 0x1p-10;
 double crossing(double from, double to, double level);
@@ -55,10 +55,11 @@ struct Sample {
   double distance = 0;
   int id = 0;
 };
-// The samples of each pixel, nearest first; among equally near ones the lower id first.
+// The samples of each pixel, the nearest first; among equally near samples the one of lower id
+// first.
 using Layers = std::vector<std::vector<Sample>>;
 
-// One pixel that a polygon covers, and the polygon's distance there. A polygon has each pixel at
+// One pixel that a polygon covers, and the polygon's distance there. A polygon covers each pixel at
 // most once.
 struct Covered {
   std::size_t pixel = 0;
@@ -76,12 +77,12 @@ void remove(Layers& layers, int id, const std::vector<Covered>& covered);
 using Vector = std::array<double, 3>;
 
 // Task 14.4. The weights of three views in the view from another eye. Solves direction = w0
-// views[0] + w1 views[1] + w2 views[2]. A negative w (of a direction outside the triangle) becomes
-// 0, and so does the w of a view that does not see the polygon. The three are then divided by their
-// sum. Where the sum is 0, the view that sees the polygon and has the smallest angle to the
-// direction gets the weight 1, the first among equally near ones; where none sees it, all weights
-// are 0. Vectors are of unit length up to rounding. Error bound: 64 u / |det(views)| for each
-// weight.
+// views[0] + w1 views[1] + w2 views[2]. A negative weight (of a direction outside the triangle)
+// becomes 0, and so does the weight of a view that does not see the polygon. The three weights are
+// then divided by their sum. If the sum is 0, the view that sees the polygon and has the smallest
+// angle to the direction gets the weight 1, the first among equally near ones; if none sees it, all
+// weights are 0. Vectors are of unit length up to rounding. Error bound: 64 u / |det(views)| for
+// each weight.
 std::array<double, 3> view_weights(const Vector& direction, const std::array<Vector, 3>& views,
                                    const std::array<bool, 3>& sees);
 
@@ -90,8 +91,9 @@ std::array<double, 3> view_weights(const Vector& direction, const std::array<Vec
 using Pixels = std::vector<std::vector<double>>;  // for each pixel the values of its bands
 using Matrix = std::vector<std::vector<double>>;  // rows
 
-// Task 14.5. The mean of the pixels, and their covariance: the mean of (x_i - m_i)(x_j - m_j).
-// Values may be large compared with their differences.
+// Task 14.5. The mean of the pixels, and their covariance: entry (i, j) is the mean of (x_i -
+// m_i)(x_j - m_j), where x_i is band i of a pixel and m_i the mean of that band. Values may be
+// large compared with their differences.
 // Error bound of an entry: 8 n u of the largest entry on the diagonal, plus
 // 4 (n u times the largest value)^2, for n pixels.
 struct Statistics {
@@ -100,9 +102,9 @@ struct Statistics {
 };
 Statistics statistics(const Pixels& pixels);
 
-// Task 14.6. The pixels approximated by k components: mean + sum over the first k vectors v of
-// (v . (x - mean)) v. The vectors are the eigenvectors of the covariance, of unit length, largest
-// eigenvalue first. `error` is the mean of |x - x'|^2 over the pixels.
+// Task 14.6. The pixels approximated by k components: pixel x becomes x' = mean + sum over the
+// first k vectors v of (v . (x - mean)) v. The vectors are the eigenvectors of the covariance, of
+// unit length, largest eigenvalue first. `error` is the mean of |x - x'|^2 over the pixels.
 // Error bounds of the pixels: 64 u of the largest |x - mean| of a pixel, plus 4 u of the largest
 // value; of the error: 256 u of the mean of |x - mean|^2, plus twice the first bound times the
 // largest |x - mean|.
@@ -122,7 +124,7 @@ struct Eigen {
 inline Eigen eigen_of(Matrix a) {
   const std::size_t n = a.size();
   Matrix v(n, std::vector<double>(n, 0));
-  for (std::size_t i = 0; i < n; ++i) v[i][i] = 1;  // rows are the vectors
+  for (std::size_t i = 0; i < n; ++i) v[i][i] = 1;  // its rows become the eigenvectors
   for (int sweep = 0; sweep < 30; ++sweep) {
     for (std::size_t p = 0; p < n; ++p) {
       for (std::size_t q = p + 1; q < n; ++q) {

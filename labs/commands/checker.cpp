@@ -24,7 +24,7 @@ void remove_old_kits(const fs::path& kits, const std::string& lab, const fs::pat
   constexpr auto kMonth = std::chrono::hours(24 * 30);
   const auto now = fs::file_time_type::clock::now();
   std::error_code error;
-  // Another program may remove them at the same time, so errors are ignored.
+  // Another process may remove them at the same time, so errors are ignored.
   for (fs::directory_iterator entry(kits, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code ignored;
@@ -34,9 +34,10 @@ void remove_old_kits(const fs::path& kits, const std::string& lab, const fs::pat
   }
 }
 
-// The kit of a lab, which all its folders share. It contains hidden checks, so it is kept in the
-// user's cache and not in the student's folder. If its directory exists but is no valid kit
-// (changed, or left incomplete), it is made again: the directory belongs to the program.
+// The kit of a lab (what submissions are compiled with), which all folders of the lab share. It
+// contains hidden checks, so it is kept in the user's cache and not in the student's folder. If its
+// directory exists but is no valid kit (changed, or left incomplete), it is made again: the
+// directory belongs to the program.
 Result<BuildKit> cached_build_kit(const labs::Sources& sources, const LabFolder& folder) {
   const auto fingerprint = build_kit_fingerprint(sources, folder.lab->folder);
   if (!fingerprint) return tl::unexpected(fingerprint.error());

@@ -26,15 +26,15 @@ struct CheckOptions {
 
 struct CheckOutcome {
   labs::grading::GradedSubmission graded;
-  // if a check failed: a program for the debugger, built with -O0 -g; else empty
+  // a program for the debugger, built with -O0 -g, if a check failed; else empty
   std::string runner;
   double seconds = 0;
 };
 
 class LabChecker {
 public:
-  // Chooses the sandbox, and makes the kit that submissions are compiled with, or finds an earlier
-  // one.
+  // Chooses the sandbox, and makes the kit that submissions are compiled with, unless an earlier
+  // one is found.
   static Result<std::unique_ptr<LabChecker>> open(const LabFolder& folder,
                                                   const CheckOptions& options);
 

@@ -12,7 +12,8 @@ inline constexpr CommandName kCommands[] = {
 
 void add_commands(CLI::App& app, int& exit_code);
 
-// add_commands calls these to add the subcommands of `lab`. Each is in a source of its name.
+// add_commands calls these functions to add the subcommands of `lab`. Each is in a source file of
+// its name.
 void add_start_command(CLI::App& lab, int& exit_code);
 void add_export_command(CLI::App& lab, int& exit_code);
 void add_check_command(CLI::App& lab, int& exit_code);

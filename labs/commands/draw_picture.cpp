@@ -23,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// The view that is drawn. For labs about stereo pairs (9 to 12) it is the view from the centre,
-// with the two eyes as `pair`.
+// The view that is drawn. For labs about stereo pairs (9 to 12) it is the view of the camera
+// between the eyes, with the two eyes as `pair`.
 Result<labs::DrawingInput> choose_drawing_input(const labs::Lab& lab, const Scene& scene,
                                                 const PictureOptions& picture, Camera& camera) {
   constexpr int kFirstOfPairs = 9, kLastOfPairs = 12;

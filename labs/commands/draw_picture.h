@@ -18,7 +18,7 @@ struct LabPictureRequest {
   double seconds = 10;  // time limit of a stage
 };
 
-// Refuses options that are wrong in any case, before anything is built.
+// Refuses options that can be known to be wrong before anything is built.
 Result<void> check_lab_picture(const LabPictureRequest& request);
 
 // Draws the picture. The exit code is 0 if every number is within its bound.

@@ -72,7 +72,8 @@ std::string pixel_text(const DrawingReport& report) {
   return text;
 }
 
-// The share of pixels with a channel that differs by more than 8/255 from the pipeline's picture.
+// The fraction of pixels that have a channel which differs by more than 8/255 from the pipeline's
+// picture.
 double share_differing(const Image<Rgba8>& picture, const Image<Rgba8>& truth) {
   constexpr int kSeen = 8;
   std::size_t differing = 0;
@@ -217,8 +218,8 @@ Json records_json(const labs::DrawingResult& result) {
   return records;
 }
 
-// The run for the picture under the page's overlays: the colours as drawn, without the student's
-// change of the finished picture (`finish`).
+// The settings of the run for the picture under the page's overlays: the colours as drawn, without
+// what the student's code changes in the finished picture (`finish`).
 labs::PictureSetup displayed_setup(labs::PictureSetup setup) {
   setup.finish = nullptr;
   if (setup.settings.show != Show::kNormal && setup.settings.show != Show::kUv)

@@ -31,7 +31,7 @@ fs::path cache() {
   return base / "glassbox";
 }
 
-// The directory in the cache for a folder that a lab is checked in, different for each folder.
+// The directory in the cache for a folder in which a lab is checked. Each folder has its own.
 fs::path cache_for(const fs::path& folder) {
   const std::size_t place = std::hash<std::string>{}(folder.string());
   return cache() / "labs" / fmt::format("{}-{:016x}", folder.filename().string(), place);
@@ -52,8 +52,8 @@ Result<std::string> named_lab(const fs::path& folder) {
   return name->get<std::string>();
 }
 
-// Whether build/check in the folder, all files in it, and the way to it are free of symbolic links.
-// A link in a submission could redirect what is written to another place.
+// Whether no symbolic link is on the path of build/check in the folder, or among the files in
+// build/check. A link in a submission could redirect what is written to another place.
 bool has_no_symlinks(const fs::path& place) {
   std::error_code error;
   const fs::path build = place / "build", check = build / "check";
@@ -65,7 +65,7 @@ bool has_no_symlinks(const fs::path& place) {
   return true;
 }
 
-// Does what all kinds of labs need: finds student.cpp and chooses where it is built.
+// Does what is needed for all kinds of labs: finds student.cpp and chooses where it is built.
 Result<LabFolder> make_lab_folder(const std::string& folder, const fs::path& place, bool own) {
   LabFolder found;
   found.own = own;

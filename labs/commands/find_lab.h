@@ -27,15 +27,15 @@ struct LabFolder {
   // Always in the user's cache, because they hold hidden checks or programs that are loaded:
   // `cache` belongs to this folder, `kits` is for all labs.
   std::filesystem::path cache, kits;
-  bool own = false;                    // the lab's own folder, with the solution
+  bool own = false;                    // whether this is the lab's own folder, with the solution
   std::filesystem::path outside = {};  // the lab's folder, if it is not one of the program's labs
 };
 
 // The parts of a command line that select a lab.
 struct LabSelection {
   std::string folder;
-  // --lab, a name for find_lab: the lab whose student.cpp is in `folder`, as it was handed in.
-  // Nothing is written there.
+  // --lab, a name for find_lab: the lab that the student.cpp in `folder` belongs to, as it was
+  // handed in. Nothing is written into `folder`.
   std::string lab = {};
   // --lab-dir: the folder of a lab that is not one of the program's. It is compiled where `folder`
   // is built. At most one of `lab` and `lab_dir` is given.
@@ -46,8 +46,8 @@ Result<LabFolder> open_lab_folder(const LabSelection& selection);
 // The range of the labs' numbers for a message: "1 to 9".
 std::string lab_names();
 
-// --lab-dir: a lab from outside the source tree, instead of one of the program's. --lab: which of
-// the program's labs a folder belongs to.
+// Adds --lab-dir, which names the folder of a lab that is not one of the program's. add_lab_name()
+// below adds --lab, which says to which of the program's labs a folder belongs.
 inline CLI::Option* add_lab_dir(CLI::App& command, std::string& folder) {
   return command
       .add_option("--lab-dir", folder, "a lab of your own: its folder NN-name (docs/labs.md)")
@@ -58,7 +58,8 @@ inline CLI::Option* add_lab_name(CLI::App& command, std::string& name) {
   return command.add_option("--lab", name, "the lab that a folder without lab.json belongs to");
 }
 
-// The sources with the lab of `folder` instead of the program's; unchanged if `folder` is empty.
+// The sources with the lab in `folder` instead of the program's labs; unchanged if `folder` is
+// empty.
 inline Result<labs::Sources> with_lab_dir(Result<labs::Sources> sources,
                                           const std::string& folder) {
   if (!sources || folder.empty()) return sources;

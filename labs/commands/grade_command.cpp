@@ -110,9 +110,10 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
       choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
       "use this sandbox or refuse to run; by default the strongest that works on this machine");
   command
-      .add_option("--kit", kit_,
-                  "with --one: keep the compiled files that all submissions of a lab share in this "
-                  "directory")
+      .add_option(
+          "--kit", kit_,
+          "with --one: keep in this directory the compiled files that all submissions of a lab "
+          "share")
       ->type_name("DIR");
   command.callback([this, &exit_code] { exit_code = run(); });
 
@@ -129,8 +130,8 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
 Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
                                                    const ScratchDirectory& scratch) const {
   if (!sources.outside.empty()) {
-    // The judge (the checks of an outside lab, compiled) is kept next to the kit, so that runs that
-    // share the kit share it too.
+    // The judge of an outside lab (its checks, compiled) is kept next to the kit, so that runs that
+    // share the kit share the judge too.
     const auto place =
         kit_.empty() ? scratch.make_private_directory("judge") : fs::path(kit_ + ".judge");
     return place ? load_outside_lab(sources, *place) : tl::unexpected(place.error());
@@ -151,8 +152,8 @@ Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
   for (const Submission& each : submissions) {
     if (const labs::Lab* lab = lab_of_folder(labs_(), sources, each.path)) return lab;
   }
-  return fail("--lab", "no submission has the student.h of a lab that would show which lab this is",
-              "give the lab's number: " + there);
+  return fail("--lab", "which lab this is, is not known: no submission has the student.h of a lab",
+              "give --lab and the lab's number: " + there);
 }
 
 int LabGradeCommand::run() {
@@ -197,7 +198,7 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
 int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
                              const ScratchDirectory& scratch) {
   if (const auto legal = check_result_files(files_); !legal) return refuse(legal.error());
-  // Written first, so that a result exists even if a later step fails.
+  // The files are written first, so that a result exists even if a later step fails.
   if (const auto begun = begin_results(files_, unfinished_json()); !begun)
     return refuse(begun.error());
   if (!fs::exists(fs::symlink_status(submissions_)))
@@ -293,7 +294,10 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
     const fs::path results = fs::path(files_.output) / each.name;
     std::error_code error;
     fs::create_directories(results, error);
-    if (error) return refuse({results.string(), "", error.message(), "choose another -o"});
+    if (error)
+      return refuse({results.string(), "",
+                     "the folder for results cannot be created: " + error.message(),
+                     "give another folder with -o"});
     const std::string file = (results / "results.json").string();
     const auto digest = digest_of(lab, sources, each.path, each.name);
     if (!digest) return refuse(digest.error());

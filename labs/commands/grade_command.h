@@ -21,7 +21,7 @@ namespace glassbox::labs {
 class LabGradeCommand {
 public:
   using FindSources = std::function<Result<labs::Sources>()>;
-  // The arguments replace the program's own labs in tests of the grader.
+  // The arguments are for tests of the grader: they replace the program's own labs and sources.
   explicit LabGradeCommand(const std::vector<labs::Lab>& (*labs)() = labs::all_labs,
                            FindSources find_sources = labs::find_sources)
       : labs_(labs), find_sources_(std::move(find_sources)) {}

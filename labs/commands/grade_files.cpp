@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// Whether the JSON has all that the overview reads.
+// Whether the JSON has all fields that the overview of a class reads.
 bool has_shape(const Json& json) {
   try {
     labs::grading::total_of(json);
@@ -37,7 +37,7 @@ bool has_shape(const Json& json) {
   }
 }
 
-// The contents of a results.json; none if the file is not one.
+// The contents of a results.json; none if the file has no valid result.
 std::optional<Json> read_result(const fs::path& file) {
   const auto text = labs::read_text_file(file);
   if (!text) return std::nullopt;

@@ -15,8 +15,8 @@
 
 namespace glassbox::labs {
 
-// The files for the result of a submission: results.json, and, if they are named, the same for
-// GitHub Classroom, as JUnit XML, and as text for Moodle's Virtual Programming Lab.
+// The files for the result of a submission: results.json, and, if their paths are given, the same
+// result for GitHub Classroom, as JUnit XML, and as text for Moodle's Virtual Programming Lab.
 struct ResultFiles {
   std::string output, classroom = {}, junit = {}, vpl = {};
 };
@@ -26,11 +26,11 @@ struct ResultFiles {
 Result<void> check_result_files(const ResultFiles& files);
 
 // Call it before a submission is graded. Writes a mark file next to results.json that says that the
-// grading is under way. The result of an earlier grading stays until it is replaced; if there is
-// none, `unfinished` is written.
+// grading has begun. The result of an earlier grading stays until it is replaced; if there is no
+// earlier result, `unfinished` is written.
 Result<void> begin_results(const ResultFiles& files, const nlohmann::ordered_json& unfinished);
 
-// Writes each file completely or not at all, then removes the mark file.
+// Writes each result file completely or not at all, then removes the mark file.
 Result<void> write_results(const ResultFiles& files, const nlohmann::ordered_json& results);
 
 // Whether there is a result of a finished grading with this digest. If so, removes the mark file.

@@ -52,8 +52,8 @@ bool is_theirs(const ConfigurationResult& each, const std::vector<std::string>& 
   return std::find(series.begin(), series.end(), each.series) != series.end();
 }
 
-// The fastest configuration that is at least as exact as `mine` and clearly faster (its upper
-// quartile is below `mine`'s lower one); null if there is none.
+// The fastest configuration that is at least as exact as `mine` and certainly faster: its upper
+// quartile of times is below the lower quartile of `mine`. Null if there is none.
 const ConfigurationResult* better_than(const ConfigurationResult& mine, const Timing& time,
                                        const ExperimentResult& result) {
   const ConfigurationResult* best = nullptr;
@@ -68,8 +68,8 @@ const ConfigurationResult* better_than(const ConfigurationResult& mine, const Ti
   return best;
 }
 
-// The standing in the chart: "front", or "behind X" if the series X is as exact and clearly faster;
-// empty if it is not timed.
+// The place of a point in the chart of error against time: "front" (the Pareto front), or "behind
+// X" if the series X is at least as exact and certainly faster; empty if the point is not timed.
 std::string standing_of(const ConfigurationResult& mine, const ExperimentResult& result) {
   const Timing* const time = study::timing_of(mine, 1);
   if (time == nullptr) return {};
@@ -106,7 +106,7 @@ std::string table_of(const ExperimentResult& part, const std::vector<std::string
 
 }  // namespace
 
-// The text that replaces the table if there is no point at all.
+// The text in place of the table if the student's functions give no point at all.
 std::string unwritten_text(const labs::Lab& lab, const labs::LabMeasure& measured) {
   return fmt::format("Lab {} in {}\n", lab.number, measured.experiment) +
          wrapped("  Not written yet: ",
@@ -114,8 +114,8 @@ std::string unwritten_text(const labs::Lab& lab, const labs::LabMeasure& measure
                      "; they answer as the starter's functions do. Nothing was measured.");
 }
 
-// A table of the student's points, each with its standing among the experiment's own
-// configurations. `untouched` are the series whose functions the student has not written.
+// A table of the student's points, which also says for each whether one of the experiment's own
+// configurations is better. `untouched` are the series whose functions the student has not written.
 std::string measure_text(const labs::Lab& lab, const labs::LabMeasure& measured,
                          const ExperimentResult& result, const std::vector<std::string>& series,
                          const std::vector<std::string>& untouched) {
@@ -132,8 +132,9 @@ std::string measure_text(const labs::Lab& lab, const labs::LabMeasure& measured,
     text += "\n" + wrapped("  Not written yet, and not measured: ",
                            fmt::format("{}", fmt::join(untouched, "; ")));
   return text +
-         "\nfront: no other way in the chart is as exact there and clearly faster; behind X: X is "
-         "both.\n";
+         "\nfront: no other point of the chart is as exact there and clearly faster; behind X: X "
+         "is as exact\n"
+         "there and clearly faster.\n";
 }
 
 class LabMeasureCommand {
@@ -162,7 +163,7 @@ std::vector<std::string> series_of(const std::vector<study::ConfigurationResult>
 }
 
 Result<labs::Claim> claim_in(const std::string& path) {
-  // enough for one or two thousand points
+  // A file of one or two thousand points is smaller.
   constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 20;
   const auto bytes = read_file(path, kMostBytes);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -183,8 +184,8 @@ labs::LabMeasure without(const labs::LabMeasure& whole, const std::vector<std::s
   return rest;
 }
 
-// Whether the claimed results agree with the measured ones. Prints to `out` where they do not.
-// Returns the exit code.
+// Compares the claimed results with the measured ones. Prints to `out` where they differ. Returns
+// the exit code.
 int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim& measured,
           std::FILE* out) {
   const auto found = labs::contradictions(claimed, measured);

@@ -28,14 +28,16 @@ private:
 };
 
 void LabPackageCommand::add_to(CLI::App& lab, int& exit_code) {
-  CLI::App& command = *lab.add_subcommand("package", "packs a glassbox for students as an archive");
+  CLI::App& command = *lab.add_subcommand(
+      "package",
+      "makes an archive of glassbox's sources for students, without solutions and grading");
   command.footer(
       "Example:\n"
       "  glassbox lab package --students -o glassbox-students.zip\n\n"
       "The archive has the sources without solutions, hidden checks, planted faults, tests and "
       "grading.\n"
       "In the unpacked folder, ./glassbox builds them as it does in a clone.");
-  command.add_flag("--students", students_, "pack the sources for students")->required();
+  command.add_flag("--students", students_, "make the archive for students")->required();
   command.add_option("-o,--output", output_, "the archive: a .zip file")
       ->type_name("FILE")
       ->required();

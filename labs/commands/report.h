@@ -14,7 +14,7 @@
 
 namespace glassbox::labs {
 
-// A result, with what the report says about it besides.
+// A result, with further facts for the report.
 struct LabReport {
   const labs::LabResult& result;
   std::string student;  // the student's file
@@ -30,21 +30,22 @@ std::string lab_report_text(const LabReport& report);
 // "first_divergence"}]}. Numbers that JSON cannot represent are "nan", "inf" and "-inf".
 nlohmann::ordered_json lab_report_json(const LabReport& report);
 
-// The same as a page that needs no other file, with pictures of the expected result, the actual
+// The report as a page that needs no other file, with pictures of the expected result, the actual
 // one, and where they differ.
 Result<std::string> lab_report_page(const LabReport& report);
 
 // Points in words: "2.5 of 3".
 std::string points_text(double score, double max_score);
 
-// The lines of a restated case, sorted into statements (facts) and commands that show them.
+// The lines about a failing case, sorted into statements (facts), such as its input in NDC, and
+// commands of glassbox that show the case.
 struct Restated {
   std::vector<std::string> facts, commands;
 };
 Restated restated_lines(const std::string& restated);
 
-// The outcome of the check in a grader's words if there are any; otherwise the verdict on its first
-// wrong case.
+// The outcome of the check in a grader's words if the report has such words; otherwise the verdict
+// on the check's first wrong case.
 std::string outcome_text(const LabReport& report, const labs::CheckResult& check);
 
 // The command that runs the failing case in a debugger; empty if there is no runner.

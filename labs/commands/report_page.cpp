@@ -74,7 +74,7 @@ Result<std::string> failure_html(const LabReport& report, const CheckResult& che
   html += "</table>\n";
   for (const std::string& slip : check.slips)
     html +=
-        fmt::format("<p class=slip>Likely slip: {}.</p>\n", escaped_html(labs::slip_text(slip)));
+        fmt::format("<p class=slip>Likely mistake: {}.</p>\n", escaped_html(labs::slip_text(slip)));
   const auto shown = pictures(first);
   if (!shown) return shown;
   html += *shown;

@@ -21,7 +21,7 @@ std::uint8_t grey_of(double value, double most) {
 
 using Corners = std::vector<std::pair<double, double>>;
 
-// The x and y of each vertex, after the division by w if it has one. Vertices at infinity are left
+// The x and y of each vertex, divided by w if the vertex has a w. Vertices at infinity are left
 // out.
 Corners corners_of(const std::vector<double>& values, std::size_t columns) {
   Corners corners;

@@ -23,8 +23,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// Output of a student's code or of the compiler, indented, without control characters that a
-// terminal would obey.
+// Output of a student's code or of the compiler, indented, without the control characters that
+// would change the terminal.
 std::string quoted_lines(const std::string& indent, const std::string& text, std::size_t most) {
   const auto lines = lines_of(text);
   std::string quoted;
@@ -62,7 +62,7 @@ std::string failure_text(const LabReport& report, const CheckResult& check) {
   const Restated restated = restated_lines(first.restated);
   for (const std::string& fact : restated.facts) text += "    " + fact + "\n";
   for (const std::string& slip : check.slips)
-    text += fmt::format("    likely slip ({}): {}\n", slip, labs::slip_text(slip));
+    text += fmt::format("    likely mistake ({}): {}\n", slip, labs::slip_text(slip));
   for (const std::string& command : restated.commands)
     text += fmt::format("    look at it: {}\n", command);
   const std::string debugger = debugger_command(report, check);

@@ -1,5 +1,5 @@
-// glassbox lab start: makes a folder to do a lab in. glassbox lab export: writes the same as an
-// archive, for a class.
+// glassbox lab start: makes a folder to do a lab in. glassbox lab export: writes the same files as
+// an archive, for a class.
 #include <filesystem>
 #include <span>
 #include <string>
@@ -52,7 +52,8 @@ struct Starter {
   std::vector<labs::SourceFile> files;
 };
 
-// The starter of the lab with this name; if `lab_dir` is not empty, of the lab in that folder.
+// The starter (the files that a student starts with) of the lab with this name; if `lab_dir` is not
+// empty, of the lab in that folder.
 Result<Starter> starter_of(const std::string& name, const std::string& lab_dir = {}) {
   const auto sources = with_lab_dir(labs::find_sources(), lab_dir);
   if (!sources) return tl::unexpected(sources.error());

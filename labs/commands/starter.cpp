@@ -46,7 +46,8 @@ endif()
 target_compile_options(runner PRIVATE -ffp-contract=off -Wall -Wextra -Wno-unused-parameter)
 )";
 
-// Uses Ninja, as glassbox itself does: CMake would choose make, which is not installed everywhere.
+// The settings choose Ninja, as glassbox itself does: CMake would choose make, which is not
+// installed everywhere.
 constexpr const char* kPresets = R"({
   "version": 2,
   "configurePresets": [
@@ -149,7 +150,8 @@ std::string references(const labs::Sources& sources) {
 std::string rows_of_codes(const std::string& handout, const std::string& references) {
   static const std::regex row(R"(\| ((?:[A-Z]\d?-|E|B\.|SPEC\s)[\d.]+) \|.*)");
   std::istringstream lines(references);
-  // A row may link to a page that is not in the student's folder, so only the link's text is kept.
+  // A row may link to a page that is not in the student's folder, so each link is replaced by its
+  // text.
   static const std::regex link(R"(\[([^\]]*)\]\([^)]*\))");
   std::string rows;
   for (std::string line; std::getline(lines, line);) {
@@ -172,7 +174,7 @@ void add_codes(const labs::Sources& sources, std::vector<SourceFile>& files) {
     if (file.path != "handout.md") continue;
     const std::string rows = rows_of_codes(file.text, references(sources));
     if (rows.empty()) continue;
-    // rows about sources have three columns
+    // Rows about sources have three columns; other rows have two.
     static const std::regex three(R"(\|[^|\n]*\|[^|\n]*\|[^|\n]*\|)");
     const bool wide = std::regex_search(rows, three);
     file.text += "\n## What the codes stand for\n\n";

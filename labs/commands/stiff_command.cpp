@@ -34,13 +34,14 @@ namespace glassbox::labs {
 // Tests the extreme cases of a lab: draws each with a student's functions in the pipeline.
 struct StiffCase {
   const study::ExtremeCase* extreme_case = nullptr;
-  // The verdicts of the case's own judge: `yours` with the student's functions in the pipeline,
-  // `reference` with the reference's instead, `naive` for naive code. `yours` and `reference` are
-  // absent if the case is not visible in a picture that the lab draws.
+  // The verdicts of the judge that each extreme case has: `yours` with the student's functions in
+  // the pipeline, `reference` with the reference's functions, `naive` for naive code. `yours` and
+  // `reference` are absent if the case does not show in a picture that the lab draws.
   std::optional<study::Outcome> yours, reference;
   study::Outcome naive;
-  std::string failure;  // how the student's code ended if it failed; empty: normally
-  // The reference fails too, so no answer within the contract is expected to pass.
+  std::string failure;  // how the student's code ended; empty if it ended normally
+  // Whether the reference fails too, so that no function that keeps to student.h can be expected to
+  // pass.
   bool out_of_reach() const { return yours && failure.empty() && !reference->passes(); }
   bool gives_up() const {
     return yours && (!failure.empty() || (!yours->passes() && reference->passes()));
@@ -63,8 +64,8 @@ Camera camera_of(const View& view) {
   return camera;
 }
 
-// Whether a lab's projection function can make the view's projection: a window centred on the gaze,
-// with the picture's own aspect.
+// Whether a lab's projection function can make the view's projection: the window must be centred on
+// the gaze, with the picture's own aspect ratio.
 bool has_plain_lens(const View& view) {
   const auto& m = view.clip_from_eye;
   const double aspect = double(view.viewport.width()) / double(view.viewport.height());
@@ -77,8 +78,8 @@ struct DrawingOutcome {
   std::string failure;
 };
 
-// Makes the lab's functions a tested engine for the catalogue of extreme cases. `answer_source`
-// gives their results: the student's or the reference's.
+// Makes the lab's functions an engine that the catalogue of extreme cases can test. `answer_source`
+// gives the functions' results: the student's or the reference's.
 study::TestedEngine tested_engine_of(const labs::Lab& lab, const labs::LabDrawing& drawing,
                                      labs::AnswerSource& answer_source, DrawingOutcome& outcome) {
   constexpr int kProjection = 4, kStereo = 9;
@@ -202,8 +203,8 @@ std::string report_text(const labs::Lab& lab, const std::vector<StiffCase>& case
   for (const StiffCase& each : cases) {
     if (each.out_of_reach())
       text += fmt::format(
-          "{}: the reference is above the bound too, because the contracts in student.h ask for "
-          "less.\n",
+          "{}: the reference is above the bound too, because student.h asks for less "
+          "accuracy.\n",
           each.extreme_case->id);
     if (!each.gives_up()) continue;
     text += fmt::format("{}: {}\n", each.extreme_case->id,
@@ -248,8 +249,9 @@ void LabStiffCommand::add_to(CLI::App& lab, int& exit_code) {
       "  glassbox lab stiff ~/lab6\n\n"
       "Each case that the handout names and that a picture can show is drawn with your functions "
       "in the\n"
-      "pipeline, and judged as glassbox study extremes judges it. The exit code is 0 where all "
-      "hold\nthat hold with the reference's.");
+      "pipeline, and judged as glassbox study extremes judges it. The exit code is 0 if your "
+      "functions\n"
+      "are within the bound in every case in which the reference's functions are.");
   command
       .add_option("FOLDER", selection_.folder,
                   "a folder made by glassbox lab start, or a lab's folder in the sources")
@@ -274,8 +276,8 @@ int LabStiffCommand::run() const {
   const auto cases = cases_of_lab(*sources, *folder->lab);
   if (!cases) return refuse(cases.error());
   if (!drawing || cases->empty())
-    return refuse(
-        {selection_.folder, "", "this lab has no stiff cases", "name the folder of another lab"});
+    return refuse({selection_.folder, "", "this lab has no extreme cases to draw",
+                   "name the folder of a lab that has some (docs/labs.md)"});
   Progress progress;
   StudentStages stages;
   if (const auto built = stages.build(*sources, *folder, progress); !built)
@@ -294,7 +296,7 @@ int LabStiffCommand::run() const {
   progress.done();
   if (std::none_of(results.begin(), results.end(),
                    [](const auto& c) { return c.yours.has_value(); }))
-    return refuse({selection_.folder, "", "no picture of this lab shows one of its stiff cases",
+    return refuse({selection_.folder, "", "no picture of this lab shows one of its extreme cases",
                    fmt::format("look at one of them by itself: glassbox study extremes --case {}",
                                results.front().extreme_case->id)});
   if (json_output_) {

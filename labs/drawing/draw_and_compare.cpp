@@ -36,7 +36,8 @@ public:
   }
 };
 
-// The student's answers, each compared with the reference's answer to the same question.
+// Passes on the student's answers, and compares each with the reference's answer to the same
+// question.
 class JudgedAnswers : public AnswerSource {
 public:
   JudgedAnswers(AnswerSource& student, const LabDrawing& lab, DrawingResult& result)
@@ -110,8 +111,8 @@ void compare_pictures(const Framebuffer& yours, const Framebuffer& reference,
   }
 }
 
-// The first wrong record of the first stage; only among those that concern the pixel, if one is
-// given.
+// The index of the first wrong record. If a pixel is given, only records of the triangles that are
+// visible there are considered, and records without a single triangle.
 std::optional<std::size_t> first_of(const std::vector<WrongRecord>& wrong,
                                     const WrongPixel* pixel) {
   const auto concerns = [&](const WrongRecord& record) {

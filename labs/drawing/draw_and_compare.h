@@ -1,5 +1,5 @@
-// Compares a picture drawn with the student's functions with the reference's picture: where they
-// differ.
+// Draws a picture with the student's functions and with the pipeline's own (the reference), and
+// finds where the two differ.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,14 @@ namespace glassbox::labs {
 
 struct WrongRecord {
   std::size_t stage = 0;   // index into DrawingResult::stages
-  std::size_t record = 0;  // index among the records of that stage
+  std::size_t record = 0;  // its index among the records (inputs) of that stage
   std::uint32_t triangle = kNone;
   WrongNumber number;
-  Numbers given;  // the first numbers of the question
+  Numbers given;  // the first numbers of the input
 };
 
-// A record kept for display: the first numbers of both answers.
+// An input that is kept for display, with the first numbers of the student's answer and of the
+// reference's.
 struct KeptRecord {
   std::size_t stage = 0, record = 0;
   std::uint32_t triangle = kNone;
@@ -37,7 +38,7 @@ struct JudgedStage {
 struct WrongPixel {
   int x = 0, y = 0;
   Rgba8 yours, reference;
-  // The triangles that are visible at that pixel; empty: the background.
+  // The triangles that are visible at the pixel in the two pictures; empty: the background.
   std::optional<std::uint32_t> your_triangle, reference_triangle;
 };
 
@@ -45,13 +46,13 @@ struct DrawingResult {
   Image<Rgba8> yours, reference;
   std::optional<Image<Rgba8>> truth;  // LabDrawing::truth, if it has one
   std::vector<JudgedStage> stages;    // in the order of the pipeline
-  // in the order of the stages; at most the first kMostWrong of each
+  // the wrong records of each stage, at most the first kMostWrong; in the order of the stages
   std::vector<WrongRecord> wrong;
-  std::vector<KeptRecord> kept;  // the wrong ones, and right ones as far as there is room
+  std::vector<KeptRecord> kept;  // wrong records, and right ones while there is room
   std::uint64_t differing_pixels = 0;
-  std::optional<WrongPixel> first_pixel;  // row by row from the top
-  // The first of the wrong records of the first stage that has any; and the same among those that
-  // concern the triangles of first_pixel.
+  std::optional<WrongPixel> first_pixel;  // the first that differs, row by row from the top
+  // The index of the first wrong record of the first stage that has any; and the index of the first
+  // one that concerns the triangles of first_pixel.
   std::optional<std::size_t> first_record, record_of_pixel;
 
   bool right() const { return wrong.empty(); }
@@ -65,8 +66,8 @@ struct ComparedPictures {
   PictureSetup yours, reference;
 };
 
-// Draws both pictures. An error says what prevented it; if it comes from the student's code,
-// `student` has the details.
+// Draws the picture with the student's functions and with the reference. An error says what
+// prevented it; if it comes from the student's code, `student` has the details.
 Result<ComparedPictures> draw_and_compare(const LabDrawing& lab, const DrawingInput& input,
                                           AnswerSource& student);
 

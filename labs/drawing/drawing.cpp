@@ -66,8 +66,10 @@ Result<void> check_opaque(const Scene& scene, const std::string& lab) {
   for (const Instance& instance : scene.instances) {
     const Material& material = scene.materials[scene.meshes[instance.mesh].material];
     if (material.alpha_mode != AlphaMode::kOpaque)
-      return fail("the scene", "some of its surfaces are transparent, or cut out by their alpha",
-                  lab + " draws opaque surfaces only: name another scene");
+      return fail(
+          "the scene",
+          "some of its surfaces are transparent, or parts of them are cut out by their alpha",
+          lab + " draws opaque surfaces only: name a scene that has no others");
   }
   return {};
 }

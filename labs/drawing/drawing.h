@@ -1,5 +1,6 @@
-// A picture with a student's functions in it (glassbox lab render): which stages of the pipeline a
-// lab's functions replace, with the reference's own way and the error bounds for each.
+// A picture that is partly drawn by a student's functions (glassbox lab render): which stages of
+// the pipeline a lab's functions replace, and for each stage the reference (the pipeline's own
+// computation) and the bounds of the error.
 //
 // A lab's part of this is two files in its folder:
 //   stages.cpp    passes records to the student's functions (framework/stages.h); in its own
@@ -29,36 +30,36 @@ namespace glassbox::labs {
 
 // ---- records ----
 
-// The input of one call.
+// The input of one call of a stage's functions.
 struct Question {
   Numbers numbers;
-  std::uint32_t triangle = kNone;  // the triangle of the scene; kNone: no single triangle
+  std::uint32_t triangle = kNone;  // the triangle it belongs to; kNone: no single one
 };
 
 // The first wrong number of an answer.
 struct WrongNumber {
   std::string element;  // "vertex 2, w"
   double yours = 0, reference = 0;
-  double bound = 0;         // of |yours - reference|, in `unit`
+  double bound = 0;         // of the allowed |yours - reference|, in `unit`
   std::string unit;         // "clip units", "px"; empty: a count
-  std::string explanation;  // where the numbers do not explain it: "missing"
+  std::string explanation;  // "missing", "too many" or another reason; may be empty
 };
 
-// A stage of the picture that the student's functions replace.
+// A stage of the pipeline that the student's functions replace.
 struct DrawnStage {
   std::string name;  // its name in stages.cpp: "clip"
-  // of the pipeline: one of "object", "world", "eye", "clip", "ndc", "screen", "coverage", "depth",
-  // "shading"
+  // the stage of the pipeline: one of "object", "world", "eye", "clip", "ndc", "screen",
+  // "coverage", "depth", "shading"
   std::string stage;
   std::string functions;  // the functions of student.h: "outcode, trivial_verdict, clip_to_frustum"
   std::function<Numbers(RecordReader& in)> reference;
-  // Returns nothing if the answer meets its contract. An answer may be of any length.
+  // Returns nothing if the student's answer `yours`, which may have any length, is right.
   std::function<std::optional<WrongNumber>(const Numbers& in, const Numbers& yours,
                                            const Numbers& reference)>
       judge;
 };
 
-// The source of the answers: the student's process, or the reference.
+// What answers the questions: the student's process, or the reference.
 class AnswerSource {
 public:
   virtual ~AnswerSource() = default;
@@ -69,7 +70,7 @@ public:
 
 // ---- pictures ----
 
-// The picture's input.
+// What a picture is drawn from.
 struct DrawingInput {
   const Scene& scene;
   const Camera& camera;
@@ -79,14 +80,14 @@ struct DrawingInput {
   StereoPair pair;          // for lab 9
 };
 
-// The scene as the answers make it: the data that the pipeline draws, and the observer of its
-// stages.
+// A picture that is ready to be drawn: the scene, the view and the settings, and an observer that
+// replaces stages of the pipeline by the answers.
 struct PictureSetup {
   Scene scene;
   View view;
   RenderSettings settings;
-  std::shared_ptr<Observer> stages;  // null: the pipeline's own stages
-  // A change of the finished picture; empty: none.
+  std::shared_ptr<Observer> stages;  // null: no stage is replaced
+  // Changes the finished picture; empty: nothing is changed.
   std::function<void(Framebuffer& picture)> finish;
 
   Rendering render() const;
@@ -96,8 +97,9 @@ struct LabDrawing {
   std::vector<DrawnStage> stages;  // in the order of the pipeline
   std::function<Result<PictureSetup>(const DrawingInput& input, AnswerSource& answer_source)> draw;
   std::string not_drawn;  // functions of student.h that are not used; empty: all are
-  // Where the lab draws in another way than the pipeline does: the pipeline's picture, shown beside
-  // both others. Null: the reference's picture is that of the pipeline.
+  // For a lab that does not draw as the pipeline does: prepares the pipeline's own picture, which
+  // is shown beside the student's and the reference's. Null: the reference's picture is the
+  // pipeline's.
   PictureSetup (*truth)(const DrawingInput& input) = nullptr;
 };
 
@@ -114,17 +116,17 @@ std::optional<WrongNumber> first_wrong(std::span<const double> yours,
                                        const std::string& unit,
                                        const std::function<std::string(std::size_t)>& name);
 
-// The same for sixteen numbers of a matrix, row by row, all with one bound.
+// first_wrong() for the sixteen numbers of two matrices, row by row, with one bound for all.
 std::optional<WrongNumber> first_wrong_entry(std::span<const double> yours,
                                              std::span<const double> reference, double bound,
                                              const std::string& unit);
 
-// Watches a run of the pipeline and gathers the questions of a round; the next run gets the answers
-// to the questions of the earlier runs. All runs of a scene are the same.
+// Draws a picture once so that the observer can gather the inputs of a stage. In the next run of
+// the pipeline the observer uses the answers for these inputs. All runs of a scene are the same.
 void observe_run(const PictureSetup& run, Observer& observer);
 
-// For PictureSetup::finish: a picture of depth that has distances[i], in world units, at
-// pixel pixels[i] (numbered row by row), and the pipeline's own distances elsewhere.
+// For PictureSetup::finish: changes the picture into one of depth that has distances[i], in world
+// units, at pixel pixels[i] (numbered row by row), and the pipeline's own distances elsewhere.
 std::function<void(Framebuffer&)> show_distances(std::vector<std::size_t> pixels,
                                                  Numbers distances);
 

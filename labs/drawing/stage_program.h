@@ -1,4 +1,5 @@
-// Compiles a student's file with its lab's stages, and asks it in the grader's sandbox.
+// Compiles a student's file with its lab's stages, and runs the program in the grader's sandbox,
+// where it answers questions (inputs of the student's functions).
 #pragma once
 
 #include <filesystem>
@@ -27,15 +28,15 @@ struct StageBuild {
   bool starter = false;  // compiles the lab's starter in place of the student's file
 };
 
-// Compiles what has changed: the lab's own files directly, the student's in the sandbox. An error
-// says what prevented the attempt.
+// Compiles the program as far as its files have changed: the lab's own files directly, the
+// student's in the sandbox. An error says what prevented the attempt.
 Result<StageProgram> build_stages(const Sources& sources, const StageBuild& request,
                                   const grading::Sandbox& sandbox);
 
 class BatchFile;
 
-// Answers from the student's process. If its code fails, the drawing ends: ask() then returns an
-// error, and `failure` says what happened.
+// Gets the answers from the student's process. If the student's code fails, the drawing ends: ask()
+// then returns an error, and `failure` says what happened.
 class StudentAnswers : public AnswerSource {
 public:
   StudentAnswers(const grading::Sandbox& sandbox, std::filesystem::path program, double seconds);
@@ -43,13 +44,13 @@ public:
   Result<std::vector<Numbers>> ask(const DrawnStage& stage,
                                    std::span<const Question> questions) override;
 
-  // How long the work of the question takes, done `rounds` times by the stage's `prepare`:
-  // processor time and wall time in nanoseconds, in turn.
+  // Measures `rounds` times how long the work of the question takes (the function that the stage's
+  // `prepare` returns). The result is processor time and wall time in nanoseconds, in turn.
   Result<Numbers> time(const DrawnStage& stage, const Question& question, int rounds);
 
   const std::optional<std::string>& failure() const { return failure_; }
   const std::string& printed() const { return printed_; }  // what the student's code printed
-  double seconds() const { return seconds_; }              // the time that its processes took
+  double seconds() const { return seconds_; }  // the time that the student's processes took
 
 private:
   RunOutcome run(const DrawnStage& stage, int rounds, const BatchFile& file);

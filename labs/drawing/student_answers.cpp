@@ -16,13 +16,13 @@ namespace glassbox::labs {
 
 namespace {
 
-// How many numbers one process gets. They take 32 MiB; questions and answers fit into its memory
-// easily.
+// How many numbers of questions one process gets (unless one question has more). They take 32 MiB,
+// so that questions and answers fit into the memory of the process.
 constexpr std::size_t kBatch = std::size_t(4) << 20;
 
 }  // namespace
 
-// A batch as a file in memory, in the form that stages_main.cpp reads.
+// A batch of questions as a file in memory, in the form that stages_main.cpp reads.
 class BatchFile {
 public:
   explicit BatchFile(std::span<const Question> batch) {
@@ -52,7 +52,7 @@ public:
 
   bool valid() const { return at_ != nullptr; }
   int descriptor() const { return file_.get(); }
-  // How many records the process reports that it has begun.
+  // How many records (at most `most`) the process has begun, by its own report.
   std::size_t begun(std::size_t most) const {
     const double reported = *at_;
     return reported >= 0 && reported <= double(most) ? std::size_t(reported) : 0;
@@ -104,8 +104,8 @@ StudentAnswers::StudentAnswers(const grading::Sandbox& sandbox, std::filesystem:
                                double seconds)
     : sandbox_(sandbox), program_(std::move(program)) {
   limits_.seconds = seconds;
-  // A triangle that covers all of a picture of 4096 x 4096 pixels is one answer of 640 MiB, in a
-  // vector that grows by doubling.
+  // The largest answer has 640 MiB: a triangle that covers all of a picture of 4096 x 4096 pixels.
+  // It is in a vector that doubles its capacity when it grows.
   limits_.memory_bytes = 2048 * grading::kMiB;
   limits_.output_bytes = 1024 * grading::kMiB;
 }
@@ -136,9 +136,9 @@ Result<Numbers> StudentAnswers::time(const DrawnStage& stage, const Question& qu
   return fail("student.cpp", *failure_, "");
 }
 
-// Runs one process. When many run in a row, namespaces of earlier ones may not be gone yet, and
-// they count towards the limit on the user's processes: if no record was begun, the run is tried
-// again.
+// Runs one process. After many runs in a row, the kernel may not have removed the namespaces of
+// earlier processes yet, and they count towards the limit on the user's processes, so that
+// bubblewrap fails. If no record was begun, the run is tried again.
 RunOutcome StudentAnswers::run(const DrawnStage& stage, int rounds, const BatchFile& file) {
   std::vector<std::string> words{"--stage", stage.name};
   if (rounds > 0) words.insert(words.end(), {"--rounds", std::to_string(rounds)});
@@ -156,7 +156,8 @@ Result<std::vector<Numbers>> StudentAnswers::ask_batch(const DrawnStage& stage, 
                                                        std::span<const Question> batch) {
   const BatchFile file(batch);
   if (!file.valid())
-    return fail("the records", "there is not enough memory for them", "draw a smaller picture");
+    return fail("the questions to student.cpp", "there is not enough memory for them",
+                "draw a smaller picture");
   const RunOutcome outcome = run(stage, rounds, file);
   seconds_ += outcome.seconds;
   constexpr std::size_t kPrintedBytes = 4096;

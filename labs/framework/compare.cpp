@@ -15,8 +15,8 @@ namespace {
 
 const char* const kAxes[] = {"x", "y", "z", "w"};
 
-// The distance between two numbers as floats, in ulps; less than 1 where the doubles differ but the
-// floats do not.
+// The distance between two numbers in ulps of float. It is computed from the doubles if their
+// floats are equal or neighbours, so it may be a fraction.
 double float_ulps(double expected, double actual) {
   if (std::isnan(expected) || std::isnan(actual))
     return std::isnan(expected) == std::isnan(actual) ? 0 : std::numeric_limits<double>::infinity();
@@ -26,9 +26,9 @@ double float_ulps(double expected, double actual) {
   return std::abs(expected - actual) / double(ulp(e));
 }
 
-// Whether both numbers must be doubles. Whether a function returned floats cannot be seen directly;
-// but a number that is no float was not returned as one, and no float can meet a bound below half
-// an ulp.
+// Whether a distance is given in ulps of double. The type that a student's function returned is not
+// known, but a number that is not a float was not returned as one, and a bound below half an ulp of
+// float can only be met in double.
 bool are_doubles(const Divergence& found) {
   if (!std::isfinite(found.actual) || !std::isfinite(found.expected)) return false;
   const float expected = float(found.expected);
@@ -36,7 +36,7 @@ bool are_doubles(const Divergence& found) {
          (found.bound > 0 && std::isfinite(expected) && found.bound < double(ulp(expected)) / 2);
 }
 
-// The distance in ulps of the larger number.
+// The distance between two numbers, in ulps of the larger one.
 double double_ulps(double expected, double actual) {
   const double larger = std::max(std::abs(expected), std::abs(actual));
   if (!std::isfinite(larger)) return std::numeric_limits<double>::infinity();
@@ -53,7 +53,7 @@ Divergence divergence_at(const Expected& expected, std::size_t index, Divergence
           .unit = expected.unit};
 }
 
-// What is wrong with a number that is not missing.
+// What is wrong with a number that is in the answer, but is not as expected.
 Divergence::Kind kind_of(const Expected& expected, std::size_t index, double actual) {
   const double wanted = expected.values[index];
   if (std::isnan(actual) && !std::isnan(wanted)) return Divergence::Kind::kNotANumber;
@@ -63,7 +63,7 @@ Divergence::Kind kind_of(const Expected& expected, std::size_t index, double act
       return Divergence::Kind::kExtra;
     case Shape::kPoint:
       return Divergence::Kind::kPosition;
-    case Shape::kPolygon:  // after the position come the attributes
+    case Shape::kPolygon:  // a vertex is x, y, z, w, then its attributes
       return int(index) % columns_of(expected) < 4 ? Divergence::Kind::kPosition
                                                    : Divergence::Kind::kData;
     case Shape::kNumbers:
@@ -73,8 +73,8 @@ Divergence::Kind kind_of(const Expected& expected, std::size_t index, double act
   return Divergence::Kind::kData;
 }
 
-// The divergence of an answer that is too short or too long: the first number that is only on one
-// side.
+// The divergence of an answer that is too short or too long: the first number that is missing, or
+// the first one that is superfluous.
 Divergence wrong_length(const Expected& expected, const std::vector<double>& actual) {
   const std::size_t wanted = expected.values.size(), given = actual.size();
   const std::size_t at = std::min(wanted, given);
@@ -120,7 +120,7 @@ char map_letter(const Expected& expected, const std::vector<double>& actual, std
   return expected.values[i] > 0 ? '2' : '+';
 }
 
-// The pixels around the first wrong one, drawn as text with their coordinates at the edges.
+// The pixels around the first wrong pixel, drawn as text with their coordinates at the edges.
 std::string coverage_map(const Expected& expected, const std::vector<double>& actual,
                          std::size_t centre) {
   constexpr int kAcross = 41, kDown = 17;

@@ -12,8 +12,8 @@
 
 namespace glassbox::labs {
 
-// How many pixels of a coverage are covered less often than they should be (gaps), and how many
-// more often (doubles). A pixel that should not be covered at all, but is, counts as extra.
+// How many pixels are covered by fewer triangles than they should be (gaps), and how many by more
+// (doubles). A pixel that should not be covered at all, but is, counts as extra.
 struct CoverageCounts {
   std::size_t gaps = 0;
   std::size_t doubles = 0;
@@ -24,7 +24,7 @@ struct Comparison {
   std::optional<Divergence> first;  // empty: the answer is right
   std::size_t differing = 0;        // numbers, vertices or pixels that are wrong or missing
   CoverageCounts coverage;          // only for Shape::kCoverage
-  // only for Shape::kCoverage: the pixels around the first wrong one
+  // only for Shape::kCoverage: the pixels around the first wrong pixel
   std::string map;
 };
 
@@ -35,22 +35,22 @@ Comparison compare(const Expected& expected, const std::vector<double>& actual);
 // counts as missing.
 Comparison compare(const Expected& expected, const Answer& answer);
 
-// The first place where a case's answer is wrong: found by the case's own judge, or by comparing
-// the expected fields in turn until one differs.
+// The first place where the answer to a case is wrong. It is found by Case::judge if the case has
+// that function, otherwise by comparing the expected fields in turn.
 std::optional<Divergence> judge_case(const Case& input, const Answer& answer);
 
 // The numbers of an answer's field; null if there is no field of that name.
 const std::vector<double>* find_field(const Answer& answer, const std::string& name);
 
-// How many numbers a vertex has, columns a matrix, or pixels a row; 0 where the shape has none of
-// these.
+// How many columns an expected matrix has, numbers a vertex of a polygon, or pixels a row of a
+// coverage; 0 for other shapes.
 int columns_of(const Expected& expected);
 
 // The name of a number of the field: "row 2, column 3", "vertex 4, w", "pixel (10, 12)".
 std::string element_name(const Expected& expected, std::size_t index);
 
-// |expected - actual|: 0 for equal infinities and for two NaN, infinity if only one of them is a
-// NaN.
+// |expected - actual|: 0 for equal infinities and for two NaN, infinity if only one of the two
+// numbers is NaN.
 double distance_between(double expected, double actual);
 
 // The name of a kind: "missing", "extra", "wrong position", "wrong data", "not a number".

@@ -10,8 +10,8 @@
 namespace glassbox::labs {
 
 // FNV-1a of 64 bits (Fowler, Noll and Vo 1991) over several texts one after the other; the places
-// where one ends are part of the digest. It is not a secure hash, and need not be: making two texts
-// with one digest brings no advantage here.
+// where one text ends and the next begins are part of the digest. It is not a secure hash. It need
+// not be: nobody gains anything by making two texts with the same digest.
 class Digest {
 public:
   Digest& add(std::string_view text) {

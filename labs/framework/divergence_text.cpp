@@ -8,8 +8,8 @@ namespace glassbox::labs {
 
 namespace {
 
-// The expected number as it is shown. The judge's own rounding errors are hidden, as they do not
-// concern the student.
+// The expected number as it is shown: 0 if it differs from 0 by no more than the bound, because the
+// rounding errors of the expected answers do not concern the student.
 double shown(const Divergence& found) {
   return std::abs(found.expected) <= found.bound ? 0 : found.expected;
 }
@@ -38,7 +38,8 @@ std::string distance_text(const Divergence& found) {
   std::string text =
       fmt::format("{:.6g}{}{}", found.distance, found.unit.empty() ? "" : " ", found.unit);
   const bool counted = found.unit.empty() && is_whole(found.expected) && is_whole(found.actual);
-  // Near 0 a distance in ulps is meaningless.
+  // No distance in ulps is shown if 0 is expected: near 0 an ulp is so small that any error is a
+  // huge number of ulps.
   if (std::isfinite(found.ulps) && !counted && shown(found) != 0)
     text += fmt::format(", {:.6g} {} ulps", found.ulps, found.ulps_of_double ? "double" : "float");
   if (found.bound == 0) return text + "; it must be exact";

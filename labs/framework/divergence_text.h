@@ -7,14 +7,14 @@
 
 namespace glassbox::labs {
 
-// The expected number and the actual one, with the digits that tell floats apart, or all digits of
-// a double where these are the same for both. An expected number that is within the bound of 0 is
-// shown as 0.
+// The expected number and the actual one, with the 9 digits that tell floats apart, or with the 17
+// digits of a double if the 9 digits are the same for both numbers. An expected number that is
+// within the bound of 0 is shown as 0.
 std::string expected_text(const Divergence& found);
 std::string actual_text(const Divergence& found);
 
-// "1 world units, 8388608 float ulps; at most 1e-06 is allowed". Counts, indices and names given as
-// numbers have no ulps.
+// How far the answer is off: "1 world units, 8388608 float ulps; at most 1e-06 is allowed". Counts,
+// indices and names given as numbers have no ulps.
 std::string distance_text(const Divergence& found);
 
 }  // namespace glassbox::labs

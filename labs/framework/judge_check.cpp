@@ -33,7 +33,8 @@ Verdict verdict_of(const Case& input, const CaseAnswer& answer, FirstFailure& fa
   return failure.divergence ? Verdict::kWrong : Verdict::kRight;
 }
 
-// Adds the field that diverges, from which a report makes its pictures and map.
+// Adds the expected and the actual numbers of the wrong field, from which a report makes its
+// pictures and map.
 void add_field(const Case& input, const Answer& answer, FirstFailure& failure) {
   if (!failure.divergence) return;
   const auto* actual = find_field(answer, failure.divergence->field);
@@ -45,7 +46,7 @@ void add_field(const Case& input, const Answer& answer, FirstFailure& failure) {
   }
 }
 
-// A check's result before any case of it is judged.
+// The result of a check before any of its cases is judged.
 CheckResult unjudged_result(const Check& check, std::size_t cases, double points) {
   return {.name = check.name,
           .task = check.task,
@@ -89,8 +90,8 @@ CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
     if (verdict == Verdict::kMissing) failure.text = answers.malformed;
     result.first = std::move(failure);
   }
-  // A line that is no answer at all costs the cases that it should have answered; they count as
-  // missing.
+  // If the program wrote a line that is not a valid answer, the cases without an answer are
+  // missing; the verdict on the check is then "malformed output".
   if (result.verdict == Verdict::kMissing && !answers.malformed.empty()) {
     result.verdict = result.first->verdict = Verdict::kMalformed;
   }
@@ -139,7 +140,7 @@ LabResult sum_up(const Lab& lab, std::vector<CheckResult> checks) {
     result.hidden_points += task.points - sum.max_score;
     result.tasks.push_back(sum);
   }
-  // A remainder caused by rounding does not mean that there is a hidden check.
+  // A remainder that is only a rounding error does not mean that there is a hidden check.
   if (result.hidden_points < 1e-9) result.hidden_points = 0;
   result.checks = std::move(checks);
   return result;

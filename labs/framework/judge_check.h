@@ -1,5 +1,5 @@
 // The verdict on the answers of a lab: how many points each case gets, and where a check first goes
-// wrong. Nothing is run here.
+// wrong. The student's program has been run before (run_check.h).
 #pragma once
 
 #include <cstddef>
@@ -33,32 +33,33 @@ const char* verdict_name(Verdict verdict);
 // The first case of a check that is not right.
 struct FirstFailure {
   std::size_t index = 0;
-  std::string where, restated;  // as the case has them
+  std::string where, restated;  // as in Case
   Verdict verdict = Verdict::kWrong;
   std::string text;                      // how it crashed, what it threw, what is malformed
   std::optional<Divergence> divergence;  // only for a wrong answer
-  // The comparison of the field that diverges, where the case has no judge of its own.
+  // How the wrong field differs from what is expected; empty if the case has a judge of its own.
   std::optional<Comparison> comparison;
-  std::optional<Expected> expected;  // what is expected of that field
-  std::vector<double> actual;        // the answer's numbers for it
+  std::optional<Expected> expected;  // what is expected of the wrong field
+  std::vector<double> actual;        // the numbers that the wrong field has
 };
 
 struct CheckResult {
   std::string name, task, stage;
   bool hidden = false;
-  bool all_or_nothing = false;  // as in Check
+  bool all_or_nothing = false;  // as Check::all_or_nothing
   double score = 0, max_score = 0;
-  Verdict verdict = Verdict::kRight;  // that of the first case that is not right
+  Verdict verdict = Verdict::kRight;  // the verdict on the first case that is not right
   std::vector<Verdict> cases = {};
   std::size_t right = 0;
   std::optional<FirstFailure> first = {};
-  // The slip that explains every wrong answer of the check, if exactly one does: one id or none.
+  // The id of the typical mistake (slip) that explains every wrong answer of the check; empty if
+  // none or more than one does.
   std::vector<std::string> slips = {};
   std::string printed = {};  // what the student's code printed
   double seconds = 0;
 };
 
-// The text printed after "13 of 14 cases right".
+// The text that follows "13 of 14 cases right" in a report.
 inline const char* all_or_nothing_note(const CheckResult& check) {
   return check.all_or_nothing && check.right < check.cases.size()
              ? "; it gives points only if all cases are right"
@@ -67,7 +68,7 @@ inline const char* all_or_nothing_note(const CheckResult& check) {
 
 struct TaskResult {
   std::string id, title;
-  double score = 0, max_score = 0;  // over the checks that were judged
+  double score = 0, max_score = 0;  // sums over the checks that were judged
 };
 
 struct LabResult {
@@ -84,11 +85,11 @@ struct LabResult {
 CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
                         const CheckAnswers& answers, double points_of_case);
 
-// Whether two programs gave the same answer to every case of a check. If a student's program and
-// the starter do, the task has not been begun.
+// Whether two programs gave the same answer to every case of a check. If a student's program
+// answers like the starter (the file that students begin with), the task has not been begun.
 bool same_answers(const CheckAnswers& a, const CheckAnswers& b);
 
-// The result of a check without any answer, because the code does not compile.
+// The result of a check that has no answers, because the code does not compile.
 CheckResult not_built_check(const Check& check, std::size_t cases, double points_of_case);
 
 // Sums up the checks by task. They must be in the lab's order.

@@ -1,5 +1,5 @@
-// The judging side of a lab: what is expected of each case, within which bound, and what it is
-// called.
+// A lab as its judge sees it: the tasks, the checks with their cases (inputs), the expected answers
+// and the bounds of their errors.
 //
 // A lab is a folder labs/NN-name:
 //   handout.md     the idea, the formulas with their conventions, the tasks with their points
@@ -23,10 +23,10 @@ namespace glassbox::labs {
 enum class Shape { kNumbers, kPoint, kMatrix, kPolygon, kCoverage };
 
 struct Expected {
-  std::string field = {};  // the name under which the runner emits it
+  std::string field = {};  // the name that the runner gives it
   Shape shape = Shape::kNumbers;
   std::vector<double> values = {};
-  double bound = 0;       // of the error of each number, in `unit`; 0: exact
+  double bound = 0;       // how far each number may be off, in `unit`; 0: not at all
   std::string unit = {};  // "world units", "px", "radian" (which makes it an angle); empty: a count
   // for coverage: the width in pixels; for a polygon: how many numbers a vertex has
   int columns = 0;
@@ -60,14 +60,14 @@ struct Divergence {
   std::string element = {};  // "row 2, column 3", "vertex 4, w", "pixel (10, 12)"
   double expected = 0, actual = 0;
   double distance = 0, bound = 0;  // in `unit`
-  // The distance in ulps: of float where both numbers are floats, of double otherwise.
+  // The distance in ulps of float if both numbers are floats, in ulps of double otherwise.
   double ulps = 0;
   bool ulps_of_double = false;
   std::string unit = {};
-  std::string explanation = {};  // where the case's own judge has more to say
+  std::string explanation = {};  // what the case's own judge adds; may be empty
 };
 
-// What the answer would be with one of the convention slips, known_slips() of slips.h.
+// What the answer would be with one of the slips (typical mistakes with a convention, slips.h).
 struct ExpectedWithSlip {
   std::string slip;
   std::vector<Expected> expected;
@@ -76,21 +76,22 @@ struct ExpectedWithSlip {
 // One input of a check. The first case that fails is reported in full.
 struct Case {
   std::string where;  // "triangle 3, vertex 1"; "pixel (10, 12)"
-  // The input as coordinates that can be seen: NDC, screen, winding. A line that begins with
-  // "glassbox " is a command that shows the case.
+  // The input in coordinates that a student can picture (NDC, screen), with its winding. A line
+  // that begins with "glassbox " is a command that shows the case.
   std::string restated;
   std::vector<Expected> expected = {};
   // The case's own judge, used where more than one answer is right. It replaces the comparison with
   // `expected`, and returns nothing if the answer is right.
   std::function<std::optional<Divergence>(const Answer&)> judge = nullptr;
-  // What the answer would be with slips that cannot be seen from the answer alone, such as a
-  // product in the other order. Those that can be seen (slips.h) need no entry. A slip is named
-  // only if every case of the check answers as it would with the slip.
+  // What the answer would be with typical mistakes (slips) that cannot be recognised from the
+  // answer alone, such as a product in the other order. A wrong sign or order needs no entry: it is
+  // recognised (slips.h). A mistake is named only if every answer of the check is what the mistake
+  // leads to.
   std::vector<ExpectedWithSlip> slipped = {};
 };
 
-// The command that shows the extreme case which a case's text names, as "... (C-43)"; empty where
-// it names none.
+// The command that shows the extreme case whose number the text contains, as in "... (C-43)"; empty
+// if the text contains none.
 inline std::string extreme_case_command(const std::string& what) {
   const std::size_t id = what.find("C-");
   if (id == std::string::npos) return "";
@@ -101,15 +102,17 @@ inline std::string extreme_case_command(const std::string& what) {
 struct Check {
   std::string name;  // "points in front of the eye have negative z"
   std::string task;  // Task::id
-  // One of "world", "eye", "clip", "NDC", "screen", "coverage", "depth", "shading", "anaglyph".
+  // The stage of the pipeline: one of "world", "eye", "clip", "NDC", "screen", "coverage", "depth",
+  // "shading", "anaglyph".
   std::string stage;
-  bool hidden = false;  // not among the checks that students get
+  bool hidden = false;  // students do not get this check
   std::function<std::vector<Case>()> cases;
-  double weight = 1;            // its share of the task's points (lab_points.h)
-  bool all_or_nothing = false;  // it gives its points only if every case is right
+  double weight = 1;            // its part of the task's points is proportional to this
+  bool all_or_nothing = false;  // points are given only if all cases are right
 };
 
-// A check with one case for each of `inputs`; expect(input) says what is expected.
+// A check with one case for each of the `inputs`; expect(input) returns the case with the expected
+// answer.
 template <class Inputs, class Input>
 Check check(const char* name, const char* task, const char* stage, Inputs inputs,
             Case (*expect)(const Input&)) {
@@ -120,7 +123,7 @@ Check check(const char* name, const char* task, const char* stage, Inputs inputs
           }};
 }
 
-// A check of the same kind that students do not get.
+// A hidden check, which students do not get; otherwise as check().
 template <class Inputs, class Input>
 Check hidden_check(const char* name, const char* task, const char* stage, Inputs inputs,
                    Case (*expect)(const Input&)) {
@@ -129,8 +132,8 @@ Check hidden_check(const char* name, const char* task, const char* stage, Inputs
   return made;
 }
 
-// A placeholder for the hidden checks of a task, in the program for students, which does not have
-// them (student_version.h).
+// A placeholder for the hidden checks of a task, in the program for students, which contains no
+// hidden checks (student_version.h).
 inline Check hidden_check_placeholder(const char* task) {
   return {"", task, "", true, [] { return std::vector<Case>(); }};
 }
@@ -138,7 +141,7 @@ inline Check hidden_check_placeholder(const char* task) {
 struct Task {
   std::string id;     // "5.2"
   std::string title;  // "Clip a polygon against one plane"
-  double points = 0;  // shared among its checks (lab_points.h)
+  double points = 0;  // divided among its checks (lab_points.h)
 };
 
 struct Lab {

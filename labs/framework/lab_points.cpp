@@ -17,7 +17,8 @@ using OrderedJson = nlohmann::ordered_json;
 
 auto refused(const fs::path& file, const std::string& cause) {
   return fail(file.string(), cause,
-              "write {\"points\": 100, \"tasks\": {\"5.1\": 15}, \"checks\": {}, \"hidden\": {}}");
+              "write entries in the form {\"points\": 100, \"tasks\": {\"5.1\": 15}, \"checks\": "
+              "{}, \"hidden\": {}}");
 }
 
 bool is_weight(const OrderedJson& json) {
@@ -66,7 +67,7 @@ void set_tasks(const OrderedJson& json, LabPoints& lab_points) {
   }
 }
 
-// The visible check of that name; null, with a warning, where there is none.
+// The visible check called `name`; null if there is none, which adds a warning.
 Check* find_check(LabPoints& lab_points, const std::string& name) {
   for (Check& check : lab_points.lab.checks) {
     if (check.name == name && !check.hidden) return &check;
@@ -122,8 +123,9 @@ void compare_sums(const OrderedJson& json, LabPoints& lab_points) {
   const double stated = json.value("points", sum);
   // compared with a tolerance because the numbers are decimal fractions
   if (std::abs(sum - stated) > 1e-9 * stated)
-    lab_points.warnings.push_back(fmt::format(
-        "points.json: the points of the tasks add up to {:g}, not to {:g}", sum, stated));
+    lab_points.warnings.push_back(
+        fmt::format("points.json: the points of the tasks add up to {:g}, but \"points\" is {:g}",
+                    sum, stated));
 }
 
 }  // namespace
@@ -137,9 +139,9 @@ Result<LabPoints> read_lab_points(const Lab& lab, const fs::path& file) {
   const OrderedJson json = OrderedJson::parse(*text, nullptr, false);
   if (json.is_discarded()) return refused(file, "is not valid JSON");
   if (!has_shape(json))
-    return refused(
-        file,
-        "has entries other than points, tasks, checks, hidden and whole, or of the wrong type");
+    return refused(file,
+                   "has an entry other than points, tasks, checks, hidden and whole, or one of the "
+                   "wrong type");
   set_tasks(json, lab_points);
   set_checks(json, lab_points);
   set_hidden(json, lab_points);

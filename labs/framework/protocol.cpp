@@ -45,8 +45,8 @@ void read_line(std::string_view line, std::size_t number, CheckAnswers& answers)
     if (answers.malformed.empty())
       answers.malformed = fmt::format("line {} of the answers {}", number, why);
   };
-  // The parser does not recurse, but copying and destroying its result does: deep nesting of
-  // brackets is refused.
+  // The JSON parser is not recursive, but copying and destroying its result is. Brackets that are
+  // nested deeply would overflow the stack, so they are refused.
   const auto too_deep = [](int depth, Json::parse_event_t, Json&) {
     if (depth > 8) throw std::length_error("nested");
     return true;
@@ -73,7 +73,7 @@ void read_line(std::string_view line, std::size_t number, CheckAnswers& answers)
   const auto threw = json.find("threw");
   const auto fields = json.find("fields");
   if ((threw != json.end()) == (fields != json.end()))
-    return refuse("its line must have either \"fields\" or \"threw\"");
+    return refuse("the line with the answer must have either \"fields\" or \"threw\"");
   if (threw != json.end()) {
     if (!threw->is_string()) return refuse("\"threw\" is not a string");
     answer.state = CaseAnswer::State::kThrew;

@@ -17,7 +17,7 @@ namespace {
 
 using Ending = RunOutcome::Ending;
 
-// Says in the first case that has no answer what happened to it.
+// Records how the process ended in `answer`, which belongs to the first case that was not answered.
 void record_failure(CaseAnswer& answer, const RunOutcome& outcome, const RunLimits& limits) {
   answer.text = ending_text(outcome, limits);
   switch (outcome.ending) {
@@ -118,8 +118,8 @@ CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
     answers.seconds += outcome.seconds;
     const std::size_t stuck = first_missing(answers, from);
     if (stuck == cases) break;
-    // If a program went through all cases and ended normally, a missing answer means that it wrote
-    // something else there.
+    // If the process ended normally, it went through all cases. A case without an answer then means
+    // that the program wrote something else in place of the answer.
     const bool well = outcome.ending == Ending::kExit && outcome.code == 0;
     if (!(well && !answers.malformed.empty()))
       record_failure(answers.cases[stuck], outcome, limits);
@@ -127,7 +127,7 @@ CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
     if (!again || restarts == kMostRestarts) {
       for (std::size_t i = stuck + 1; i < cases; ++i) {
         if (answers.cases[i].state == CaseAnswer::State::kMissing)
-          answers.cases[i].text = "not reached";
+          answers.cases[i].text = "the program ended before this case";
       }
       break;
     }

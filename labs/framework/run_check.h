@@ -12,7 +12,7 @@ namespace glassbox::labs {
 
 struct RunLimits {
   double seconds = 10;                               // wall-clock time of a process
-  std::size_t output_bytes = std::size_t(64) << 20;  // for answers; anything beyond is cut off
+  std::size_t output_bytes = std::size_t(64) << 20;  // for answers; the rest is cut off
   // how much is kept of standard output and standard error
   std::size_t printed_bytes = std::size_t(64) << 10;
 };
@@ -23,7 +23,7 @@ struct RunRequest {
   RunLimits limits;
 };
 
-// How a process ended. What it had written by then is kept, however it ended.
+// How a process ended, and what it had written by then.
 struct RunOutcome {
   enum class Ending {
     kExit,
@@ -36,22 +36,21 @@ struct RunOutcome {
   };
   Ending ending = Ending::kNotStarted;
   int code = 0;  // the exit status or the signal
-  // why it was not started, or which forbidden call or limit stopped it; may be empty
+  // why the process was not started, or which forbidden call or limit stopped it; may be empty
   std::string detail;
-  std::string answers;  // what it wrote to the descriptor of the answers
-  std::string printed;  // standard output and standard error
+  std::string answers;  // what the process wrote to the descriptor of the answers
+  std::string printed;  // its standard output and standard error
   double seconds = 0;
 };
 
-// A way of running processes. Students run their own code with LocalRunner; a grader uses a sandbox
-// instead.
+// Runs processes. Students run their own code with LocalRunner; a grader uses a sandbox instead.
 class Runner {
 public:
   virtual ~Runner() = default;
   virtual RunOutcome run(const RunRequest& request) = 0;
 };
 
-// A child process with a limit on time and output, and nothing more.
+// Runs a child process with a limit on time and output, but without a sandbox.
 class LocalRunner : public Runner {
 public:
   RunOutcome run(const RunRequest& request) override;

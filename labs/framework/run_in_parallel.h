@@ -10,8 +10,7 @@
 
 namespace glassbox::labs {
 
-// Calls work(0) to work(count - 1), at most `max_threads` of them at the same time: as many as
-// there are processors, unless it is given.
+// Calls work(0) to work(count - 1), at most `max_threads` of them at the same time.
 inline void run_in_parallel(std::size_t count, const std::function<void(std::size_t)>& work,
                             std::size_t max_threads = std::thread::hardware_concurrency()) {
   std::atomic<std::size_t> next{0};

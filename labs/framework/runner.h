@@ -1,6 +1,6 @@
-// The side of a lab on which a student's code runs. It passes cases to the student's functions and
-// emits what they return, as data. It does not know the right answers; the judge (lab.h) is another
-// process.
+// A lab as its runner sees it, the program in which a student's code runs. It passes cases to the
+// student's functions and writes what they return as data. It does not know the right answers; the
+// judge (lab.h) is another process.
 //
 // Only headers of types are compiled into a runner, and nothing else of glassbox, so that it
 // contains no reference solution that could be called.
@@ -14,8 +14,8 @@
 namespace glassbox::labs {
 
 // The answer of a student's code to one case: named lists of numbers. A point is 3 or 4 numbers, a
-// matrix 16 row by row, a polygon its vertices one after the other, a coverage one number for each
-// pixel row by row from the top.
+// matrix 16 row by row, a polygon its vertices one after the other. A coverage (how often each
+// pixel is covered) is one number for each pixel, row by row from the top.
 class Answer {
 public:
   struct Field {
@@ -31,7 +31,7 @@ private:
   std::vector<Field> fields_;
 };
 
-// The entries of a matrix row by row, as answers have them; or only those of its upper left part.
+// The entries of a matrix row by row, for an answer; or only those of its upper left part.
 template <class Matrix>
 std::vector<double> entries(const Matrix& m, int rows = 4, int columns = 4) {
   std::vector<double> all;
@@ -49,7 +49,7 @@ struct RunnerCheck {
   std::function<void(int index, Answer& answer)> run;
 };
 
-// A check that calls `ask` with each of `inputs`.
+// A check that calls `ask` (which passes an input to the student's functions) for each of `inputs`.
 template <class Input, class Ask>
 RunnerCheck check(const char* name, const std::vector<Input>& inputs, Ask ask) {
   return {name, int(inputs.size()),

@@ -7,9 +7,9 @@
 //                    {"case": 0, "fields": {"name": [1, "nan"]}} for each case, and
 //                    {"case": 1, "threw": "what"} where the function threw
 //
-// Every line is written out before the next case starts, so that a crash leaves the answers before
-// it. --case runs one case only, for a debugger. Uses only the standard library, because students
-// wait for this file to compile.
+// Every line is written before the next case starts, so that a crash does not lose the earlier
+// answers. --case runs one case only, for a debugger. Uses only the standard library, because
+// students wait for this file to compile.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -34,7 +34,7 @@ void append_string(std::string& line, const std::string& text) {
     if (c == '"' || c == '\\') {
       line += '\\';
       line += c;
-    } else if (byte < 0x20 || byte >= 0x7f) {  // as Latin-1, so that any byte gives valid JSON
+    } else if (byte < 0x20 || byte >= 0x7f) {  // as if it were Latin-1: any byte gives valid JSON
       char escaped[8];
       std::snprintf(escaped, sizeof escaped, "\\u%04x", byte);
       line += escaped;

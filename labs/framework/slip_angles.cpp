@@ -1,5 +1,5 @@
-// The slips that are made in an angle or in the order of a product: the expected numbers as they
-// would be with the slip.
+// The typical mistakes (slips) in an angle or in the order of a product: the numbers that they lead
+// to.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,10 +15,11 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// What is expected of an answer with a slip. Such an answer may be further from its own exact value
-// than the right answer from its own: an angle times 180/pi multiplies its rounding error too. So
-// the bound is 64 times the bound (57.3 rounded up), and at least 1e-5 of the largest number (for a
-// matrix: of at least 1), which is 100 roundings of float and still far from any other angle.
+// The answer that a typical mistake leads to: `values`, with a larger error bound than that of the
+// right answer, because the mistake can also enlarge the rounding errors. An angle times
+// 180/pi = 57.3 has 57.3 times the error, so the bound is 64 times that of the right answer. It is
+// at least 1e-5 of the largest number (for a matrix: of at least 1), which is more than 100
+// roundings of float but still far from any other angle.
 Expected slipped(const Expected& field, std::vector<double> values) {
   Expected changed = field;
   double largest = field.shape == Shape::kMatrix ? 1 : 0;
@@ -47,11 +48,11 @@ struct Rotation {
   double angle;  // radians, in [0, pi)
 };
 
-// The rotation in the upper left 3 x 3 of the matrix, if that is a rotation by more than 0 and less
-// than pi.
+// The rotation in the upper left 3 x 3 part of the matrix; nothing if that part is not a rotation,
+// or one by 0 or pi, whose axis is not exact.
 std::optional<Rotation> rotation_of(const std::vector<double>& m, std::size_t side) {
   const auto at = [&](std::size_t i, std::size_t j) { return m[i * side + j]; };
-  constexpr double kTolerance = 1e-4;  // of the orthogonality of a matrix of floats
+  constexpr double kTolerance = 1e-4;  // for the products of rows of a matrix of floats
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       double dot = 0;
@@ -82,8 +83,9 @@ bool is_projection(const std::vector<double>& m) {
   return m.size() == 16 && m[15] == 0 && std::abs(m[14]) > 0 && m[0] != 0 && m[5] != 0;
 }
 
-// A rotation by more than half a turn looks like a smaller one about the opposite axis, so both are
-// tried.
+// The expected field with the mistake `slip` in its angle: a number in radians, the field of view
+// of a projection, or the angle of a rotation. A rotation matrix does not show whether its angle is
+// a, a - 2 pi or a + 2 pi, so all three are tried.
 std::vector<Expected> slip_angle(const Expected& field, AngleSlip slip) {
   std::vector<Expected> all;
   const auto& values = field.values;
@@ -92,7 +94,7 @@ std::vector<Expected> slip_angle(const Expected& field, AngleSlip slip) {
   const auto side = std::size_t(std::max(0, columns_of(field)));
   if (field.shape != Shape::kMatrix || side * side != values.size() || side < 3) return all;
   if (is_projection(values)) {
-    // m[5] is cot(fovy / 2), m[0] is m[5] divided by the aspect ratio.
+    // values[5] is cot(fovy / 2), values[0] is values[5] divided by the aspect ratio.
     const double half = std::atan2(1, std::abs(values[5]));
     const double factor = 1 / std::tan(slip(2 * half) / 2) / std::abs(values[5]);
     std::vector<double> changed = values;
@@ -109,9 +111,9 @@ std::vector<Expected> slip_angle(const Expected& field, AngleSlip slip) {
   return all;
 }
 
-// The matrix [L | t] with its two factors, L and a translation, in the other order. If the
-// translation rightly comes last, an answer with the slip has L t in place of t. If L rightly comes
-// last, it has L^-1 t.
+// The matrix [L | t] is the product of the linear map L and a translation. If these two factors are
+// in the wrong order, the last column is L t where the translation should act last, and L^-1 t
+// where L should act last.
 std::vector<Expected> multiplied_in_other_order(const Expected& field) {
   const auto side = std::size_t(std::max(0, columns_of(field)));
   const auto& m = field.values;
@@ -121,7 +123,8 @@ std::vector<Expected> multiplied_in_other_order(const Expected& field) {
     if (m[(side - 1) * side + j] != (j + 1 == side ? 1 : 0)) return {};
   }
   const std::size_t n = side - 1;
-  // L t; and L^T t, which is L^-1 t for the rotations that views are made of.
+  // The last column becomes L t in `after` and L^T t in `before`; L^T is L^-1, because the L of a
+  // view matrix is a rotation.
   std::vector<double> after = m, before = m;
   for (std::size_t i = 0; i < n; ++i) {
     double a = 0, b = 0;
@@ -134,7 +137,7 @@ std::vector<Expected> multiplied_in_other_order(const Expected& field) {
   }
   std::vector<Expected> all;
   for (std::vector<double>* values : {&after, &before}) {
-    // Where t is zero or is unchanged by L, the order makes no difference.
+    // If t is zero, or L does not change it, the order makes no difference.
     Expected made = slipped(field, std::move(*values));
     if (compare(made, m).first) all.push_back(std::move(made));
   }

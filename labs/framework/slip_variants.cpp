@@ -43,7 +43,8 @@ bool is_square(const Expected& field, const Values& values) {
   return field.shape == Shape::kMatrix && side * side == values.size() && side > 1;
 }
 
-// A square matrix with the opposite sign in its row or column `at`.
+// Two matrices: one with the opposite signs in row `at`, the other in column `at`. None if the
+// field is not a square matrix.
 Candidates negated_line(const Expected& field, const Values& values, std::size_t at) {
   if (!is_square(field, values)) return {};
   const auto side = std::size_t(columns_of(field));
@@ -62,12 +63,13 @@ Candidates axis_or_line(const Expected& field, const Values& values, std::size_t
   return all;
 }
 
-// Whether the field is a normal, or Newell's sums, which are a normal of some length.
+// Whether the field is a normal, or Newell's vector, which is a normal of any length.
 bool is_normal_field(const Expected& field) {
   return field.field.find("normal") != std::string::npos || field.field == "newell";
 }
 
-// All numbers with the opposite sign: for a normal that points inwards, or a signed area.
+// The numbers with the opposite signs, for a normal that points inwards or a signed area; nothing
+// if there are not `size` numbers.
 Candidates all_negated(const Expected& field, const Values& values, std::size_t size) {
   if (values.size() != size || (field.shape != Shape::kNumbers && field.shape != Shape::kPoint))
     return {};
@@ -98,11 +100,12 @@ Candidates transposed(const Expected& field, const Values& values) {
   return {changed};
 }
 
-// The vertices in the reverse order, beginning with any of them.
+// The polygon's vertices in reverse order: one result for each vertex that may come first.
 Candidates reversed_polygon(const Expected& field, const Values& values) {
   const auto columns = std::size_t(std::max(1, columns_of(field)));
   const std::size_t count = values.size() / columns;
-  // A clipped polygon has at most ten vertices; for very many the quadratic time would be too long.
+  // A clipped polygon has at most ten vertices. For a very long list the time, which grows with the
+  // square of its length, would be too long.
   constexpr std::size_t kMost = 64;
   // a table of positions has an order, but no winding
   const bool table = field.field == "positions";
@@ -124,7 +127,7 @@ bool all_are(const Values& values, bool (*what)(double)) {
   return !values.empty() && std::all_of(values.begin(), values.end(), what);
 }
 
-// Yes and no swapped: back faces taken for front faces.
+// The answers with 0 and 1 exchanged, as if back faces were taken for front faces.
 Candidates inverted_answers(const Expected& field, const Values& values) {
   const auto is_bit = [](double x) { return x == 0 || x == 1; };
   if (field.shape != Shape::kNumbers || !all_are(field.values, is_bit) || !all_are(values, is_bit))
@@ -148,7 +151,7 @@ Candidates reversed_triples(const Expected& field, const Values& values) {
   return {changed};
 }
 
-// Whether the field is a depth, or a distance along the gaze.
+// Whether the field is a depth, or a distance along the direction of view.
 bool is_depth_field(const Expected& field) {
   return field.field == "z" || field.field.find("depth") != std::string::npos ||
          field.field.find("distance") != std::string::npos || field.field.ends_with("_z") ||

@@ -1,4 +1,4 @@
-// The ways in which each convention slip changes numbers. slips.h tries them.
+// How each slip (a typical mistake with a convention) changes numbers. slips.h tries them.
 #pragma once
 
 #include <functional>
@@ -9,25 +9,26 @@
 
 namespace glassbox::labs {
 
-// A slip that undoes itself when it is made twice (a wrong sign or order) is undone in the answer;
-// then a case's own judge can judge the changed answer. `undo` gives what the answer would be
-// without the slip: an empty list where the slip cannot occur in such a field, several answers
-// where it can be made in several ways.
+// A typical mistake that undoes itself when it is made twice (a wrong sign or order). It is undone
+// in the student's answer, so that a case's own judge can judge the result, too. `undo` returns the
+// answer without the mistake: nothing if such a field cannot have the mistake, several answers if
+// the mistake has several forms.
 struct AnswerVariant {
   std::string slip;
-  // How many different numbers must have been changed before the slip is believed.
+  // How many different numbers the mistake must have changed before it is reported to the student.
   std::size_t evidence = 1;
   std::function<std::vector<std::vector<double>>(const Expected&, const std::vector<double>&)> undo;
 };
 
-// A slip in an angle or in a product cannot be undone in the answer, so it is made in the expected
-// numbers.
+// A typical mistake in an angle or in a product. It cannot be undone in the answer, so the expected
+// numbers are computed with the mistake instead.
 struct ExpectedVariant {
   std::string slip;
   std::function<std::vector<Expected>(const Expected&)> make;
 };
 
-// The slip y = height - y', with a height that follows from one wrong point.
+// The mistake y = height - y' (y measured from the wrong side); the height follows from one wrong
+// point.
 AnswerVariant flipped_y_variant(double height);
 
 std::vector<AnswerVariant> answer_variants();

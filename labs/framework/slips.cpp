@@ -12,7 +12,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-// The answers of a check, and which of its fields need an explanation.
+// The answers to a check's cases, and the fields that need no explanation because they are right.
 struct Evidence {
   const std::vector<Case>& cases;
   const std::vector<CaseAnswer>& answers;
@@ -40,7 +40,8 @@ void note_changes(const Values& before, const Values& after, std::set<double>& c
   }
 }
 
-// The shape of a field where a case has its own judge and does not describe the field.
+// The shape of an answer's field; it is guessed from the size if the case, which has its own judge,
+// does not describe the field.
 Expected shape_of(const Case& input, const Answer::Field& field) {
   for (const Expected& expected : input.expected) {
     if (expected.field == field.name) return expected;
@@ -54,9 +55,9 @@ Expected shape_of(const Case& input, const Answer::Field& field) {
   return guess;
 }
 
-// Whether some way of undoing the slip in all fields gives an answer that the case's judge accepts.
-// For an answer that is right as it is, that must be so too, or the slip must have nothing in it
-// that it could change.
+// Whether the mistake can be undone, in one of its forms, in all fields of the answer so that the
+// case's own judge accepts the result. If the answer is right as it is, it must stay right, or have
+// no field in which the mistake can be made.
 bool undone_satisfies_judge(const Case& input, const Answer& answer, const AnswerVariant& variant,
                             std::set<double>& changed) {
   const bool right = !input.judge(answer);
@@ -123,7 +124,7 @@ bool explains(const Evidence& evidence, const ExpectedVariant& variant) {
       if (evidence.right_fields.count(expected.field) != 0) continue;
       const bool wrong = compare(expected, answer).first.has_value();
       const std::vector<Expected> slipped = variant.make(expected);
-      bool matched = !wrong && slipped.empty();  // then the slip changes nothing in this case
+      bool matched = !wrong && slipped.empty();  // then the mistake changes nothing here
       for (const Expected& each : slipped) matched = matched || !compare(each, answer).first;
       if (!matched) return false;
       used = used || wrong;
@@ -132,8 +133,8 @@ bool explains(const Evidence& evidence, const ExpectedVariant& variant) {
   return used;
 }
 
-// Whether the lab's own entries for a slip explain the answers. A right answer contradicts a slip
-// that would have made it wrong.
+// Whether a mistake explains the answers, by the lab's own entries (Case::slipped). It does not if
+// it would have made an answer wrong that is right.
 bool explains(const Evidence& evidence, const std::string& slip) {
   bool used = false;
   for (std::size_t i = 0; i < evidence.cases.size(); ++i) {
@@ -171,8 +172,8 @@ std::vector<double> heights_of(const Evidence& evidence) {
   return {};
 }
 
-// Whether a matrix of the check is affine and moves the origin; if it is transposed, its
-// translation is in the last row.
+// Whether an expected matrix of the check is an affine map that moves the origin. When it is
+// transposed, its translation is in the last row.
 bool has_translation(const std::vector<Case>& cases) {
   for (const Case& input : cases) {
     for (const Expected& field : input.expected) {
@@ -227,8 +228,8 @@ const std::vector<Slip>& known_slips() {
       {"opengl-depth",
        "your depth range is that of OpenGL, -w <= z <= w: here the near plane is z = 0"},
       {"affine",
-       "you interpolate u linearly on the screen: in perspective only u/w and 1/w are linear "
-       "there, and u is their quotient"},
+       "you interpolate an attribute u linearly on the screen: in perspective only u/w and 1/w are "
+       "linear there, and u is their quotient"},
       {"half-pixel", "you are half a pixel off: the centre of pixel (i, j) is (i + 1/2, j + 1/2)"},
       {"all-edges",
        "your triangles own all their edges (>=): a pixel centre on an edge belongs to the triangle "
@@ -236,7 +237,8 @@ const std::vector<Slip>& known_slips() {
       {"depth-or-equal",
        "your depth test is <=: if fragments are equally near, the one drawn first stays"},
       {"shift-for-centre",
-       "your T is the t of other textbooks: with P_r = R P_l + t the right camera is at -R^T t"},
+       "your T is the translation t of other textbooks, where P_r = R P_l + t; here T is the place "
+       "of the right camera, -R^T t"},
       {"not-denormalised",
        "your matrix is that of the normalised points: transform it back to the original points"},
       {"rank-first",

@@ -1,5 +1,5 @@
-// The convention slips: mistakes after which every number is right except for a sign, an order or a
-// unit.
+// Slips: typical mistakes with a convention, after which every number is right except for a sign,
+// an order or a unit.
 #pragma once
 
 #include <string>
@@ -15,16 +15,17 @@ struct Slip {
   std::string text;  // "your z has the opposite sign: the eye looks down -z"
 };
 
-// All slips, in the order in which they are tried.
+// All slips (typical mistakes), in the order in which they are tried.
 const std::vector<Slip>& known_slips();
 
-// The sentence for an id; empty if there is no such slip.
+// The sentence with which a report explains the slip (typical mistake) `id`; empty if it is
+// unknown.
 std::string slip_text(const std::string& id);
 
-// The slip that explains the answers: if it is made, the answers to all cases are as expected, and
-// without it they are not. Empty if another slip explains them too. A slip is named only on
-// evidence: every case must have been answered, the slip must change at least one answer, and it
-// must not make wrong any answer that is right.
+// The slip (typical mistake) that explains the wrong answers of a check; empty if none or more than
+// one does. It is named only on evidence: every case must have been answered, the slip must have
+// changed at least one answer, every wrong answer must be what the slip leads to, and the slip must
+// not make any right answer wrong.
 std::vector<std::string> find_slips(const std::vector<Case>& cases,
                                     const std::vector<CaseAnswer>& answers);
 

@@ -54,7 +54,8 @@ Result<Sources> find_sources() {
         is_file(place.include / "glassbox/base/spaces.h"))
       return place;
   }
-  return fail("labs", "the files of the labs are neither beside the program nor in its source tree",
+  return fail("labs",
+              "the files of the labs are found neither beside the program nor in its source tree",
               "install glassbox again (cmake --install), or build it in its source tree");
 }
 

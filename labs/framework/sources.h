@@ -12,7 +12,7 @@ namespace glassbox::labs {
 struct Sources {
   std::filesystem::path labs;     // has NN-name/ and framework/
   std::filesystem::path include;  // has glassbox/
-  // one lab's folder that is not in `labs`; it is used in place of every lab's folder
+  // the folder of one lab that is not in `labs`; it is then used in place of every lab's folder
   std::filesystem::path outside = {};
 
   std::filesystem::path folder_of(const std::string& lab) const {
@@ -34,8 +34,8 @@ struct SourceFile {
 Result<std::vector<SourceFile>> support_files(const Sources& sources, const std::string& folder,
                                               bool with_hidden);
 
-// The library's headers that those files include, directly or indirectly: mostly types. A student's
-// code is compiled with no other headers, since some of them contain the answers.
+// The library's headers that the `files` include, directly or indirectly: mostly types. A student's
+// code is compiled with no other headers, since some of the library's headers contain the answers.
 Result<std::vector<SourceFile>> library_headers(const Sources& sources,
                                                 const std::vector<SourceFile>& files);
 

@@ -1,6 +1,6 @@
-// The side of a drawing (glassbox lab render) on which a student's code runs. It reads records of a
-// scene and writes the results of the student's functions. A record is a list of doubles; floats
-// and whole numbers up to 2^53 are exact in it.
+// The program in which a student's code runs while a picture is drawn (glassbox lab render). It
+// reads records, the inputs of the student's functions, and writes their results. A record is a
+// list of doubles; floats and whole numbers up to 2^53 are exact in it.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ public:
   float real() { return float(number()); }
   int integer() { return int(number()); }
 
-  // A point or vector, of floats or doubles; four numbers if it is in clip space.
+  // Reads a point or vector of floats or doubles, with four numbers if it is in clip space.
   template <class P>
   P point() {
     using T = typename P::scalar;
@@ -33,7 +33,7 @@ public:
       return {x, y, z};
     }
   }
-  // A matrix of sixteen numbers, row by row.
+  // Reads a matrix of sixteen numbers, row by row.
   template <class M>
   M matrix() {
     M m;
@@ -60,13 +60,13 @@ void append_matrix(Numbers& out, const M& m) {
   }
 }
 
-// One stage of the picture, done by the student's functions: appends their result for one record to
-// `out`.
+// One stage of the pipeline, done by the student's functions: appends their result for one record
+// to `out`.
 struct StageFunction {
   std::string name;
   std::function<void(RecordReader& in, Numbers& out)> run;
-  // Only in timed.cpp (glassbox lab measure): reads the question and returns a function that does
-  // all of its work once. Only that function is timed.
+  // Only in timed.cpp (glassbox lab measure): reads one input and returns a function that does all
+  // of its work once. Only that function is timed.
   std::function<std::function<void()>(RecordReader& in)> prepare = {};
 };
 

@@ -29,7 +29,7 @@ using glassbox::labs::Numbers;
 using glassbox::labs::RecordReader;
 using glassbox::labs::StageFunction;
 
-constexpr std::size_t kBlock = 32768;  // numbers written at once, at least
+constexpr std::size_t kBlock = 32768;  // as soon as so many numbers are there, they are written
 
 bool write_all(int to, const Numbers& block) {
   const char* at = reinterpret_cast<const char*>(block.data());
@@ -52,8 +52,8 @@ struct CallTime {
   double processor = 0, wall = 0;  // ns per call
 };
 
-// Uses the thread's clock. The clock of a process with a limit on its processor time advances only
-// with the system's ticks, which are milliseconds apart.
+// Uses the clock of the thread, because the clock of a process whose processor time is limited
+// advances only with the system's ticks, which are milliseconds apart.
 CallTime measure_call_time(const std::function<void()>& work, int calls) {
   const double wall = nanoseconds(CLOCK_MONOTONIC);
   const double processor = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
@@ -62,10 +62,10 @@ CallTime measure_call_time(const std::function<void()>& work, int calls) {
   return {used / calls, (nanoseconds(CLOCK_MONOTONIC) - wall) / calls};
 }
 
-// Times the rounds after a first call, which pays for caches and pages. Short work is called
-// several times in a round.
+// Measures the time of each round. A first call, which is not measured, fills the caches and maps
+// the memory. Short work is called several times in a round.
 void time_rounds(const std::function<void()>& work, int rounds, Numbers& out) {
-  constexpr double kLeastRound = 2e5;  // ns; reading a clock takes some 50
+  constexpr double kLeastRound = 2e5;  // ns per round; reading a clock takes some 50 ns
   work();
   const double once = std::max(measure_call_time(work, 1).wall, 1.0);
   const int calls = int(std::clamp(std::ceil(kLeastRound / once), 1.0, 1e5));

@@ -55,7 +55,7 @@ class Stripper {
 public:
   explicit Stripper(const std::string& name) : name_(name) {}
 
-  // Processes one line. An error says why the line is not allowed there.
+  // Processes one line. An error says why the line is not allowed at this place.
   Result<void> take(std::string_view line) {
     ++number_;
     const std::string_view text = trimmed_line(line);
@@ -99,7 +99,7 @@ private:
     if (region_ != Region::kNone)
       return error(fmt::format("{} begins inside the one that begins in line {}",
                                region_name(region), opened_),
-                   "end that one first: they cannot be nested");
+                   "end the outer one first: such parts cannot be nested");
     region_ = region;
     opened_ = number_;
     stubs_ = 0;
@@ -108,7 +108,7 @@ private:
 
   Result<void> end(Region region) {
     if (region_ != region)
-      return error(fmt::format("{} ends here without a beginning", region_name(region)),
+      return error(fmt::format("{} ends here, but has no beginning", region_name(region)),
                    fmt::format("open it with // BEGIN {}", marker_word(region)));
     if (region == Region::kSolution && stubs_ == 0) {
       number_ = opened_;
@@ -153,10 +153,11 @@ Result<std::string> strip_solution(const std::string& text, const std::string& n
 }
 
 std::vector<Leak> find_leaks(const std::string& solution, const std::string& starter) {
-  // The lines that may be handed out, and how often: everything that is not between two markers,
+  // The lines that the starter may have, and how often: every line that is not between two markers,
   // and the stubs.
   std::map<std::string, int, std::less<>> allowed;
-  std::map<std::string, int, std::less<>> secret;  // with the line's number
+  // lines of the solution, each with its line number
+  std::map<std::string, int, std::less<>> secret;
   int inside = 0, number = 0;
   for (const std::string_view line : lines_of(solution)) {
     ++number;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kCall = "hidden_check(";
 
-// The position after the string that begins at `at`.
+// The position after the string literal that begins at `at`.
 std::size_t after_string(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"'; ++at) {
     if (text[at] == '\\') ++at;

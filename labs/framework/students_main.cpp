@@ -1,4 +1,5 @@
-// labs_for_students LABS TO: the first step in the build of a glassbox for students.
+// labs_for_students LABS TO: copies the labs as students get them (student_version.h). It is the
+// first step in the build of the program for students.
 #include <cstdio>
 
 #include "labs/framework/student_version.h"

@@ -17,7 +17,7 @@ struct CloseSource {
 };
 using Source = std::unique_ptr<zip_source_t, CloseSource>;
 
-// 1980-01-01, without a time zone.
+// The date of every file: 1980-01-01, in the format of the archive, which has no time zone.
 constexpr zip_uint16_t kDosTime = 0, kDosDate = (1 << 5) | 1;
 
 bool add_entry(zip_t* archive, const ZipEntry& entry) {
@@ -69,7 +69,7 @@ Result<std::vector<ZipEntry>> read_zip(const std::vector<std::byte>& bytes) {
   const auto refused = [] {
     return fail("zip", "is not a zip archive, or is damaged", "make the archive again");
   };
-  if (bytes.empty()) return refused();  // libzip would take it for an empty archive
+  if (bytes.empty()) return refused();  // libzip would take no bytes for an empty archive
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
@@ -86,7 +86,7 @@ Result<std::vector<ZipEntry>> read_zip(const std::vector<std::byte>& bytes) {
     zip_stat_t stat;
     zip_file_t* file = zip_fopen_index(archive, index, 0);
     good = file != nullptr && zip_stat_index(archive, index, 0, &stat) == 0 &&
-           stat.size <= bytes.size() * 1100;  // no deflate stream grows more than 1032 times
+           stat.size <= bytes.size() * 1100;  // deflate makes data at most 1032 times smaller
     if (good) {
       zip_uint8_t system = 0;
       zip_uint32_t attributes = 0;

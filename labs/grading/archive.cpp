@@ -32,7 +32,7 @@ auto archive_refused(const fs::path& file, const std::string& cause) {
               "hand in student.cpp itself, or a plain .zip of the lab's folder");
 }
 
-// The contents of an archive, without folders.
+// The contents of an archive, as far as they matter; folders are ignored.
 struct Contents {
   std::vector<fs::path> files;
   std::vector<std::pair<fs::path, std::string>> wanted;  // the files of the wanted name
@@ -53,7 +53,7 @@ std::string read_bytes(archive* reader, std::size_t& left, std::string* kept) {
     if (got == 0) return {};
     if (got < 0) return "is damaged or encrypted";
     const auto size = static_cast<std::size_t>(got);
-    if (size > left) return fmt::format("holds more than {} MiB", kMostUnpacked >> 20);
+    if (size > left) return fmt::format("holds more than {} MiB of files", kMostUnpacked >> 20);
     left -= size;
     if (kept == nullptr) continue;
     if (kept->size() + size > kLargestSource)
@@ -74,14 +74,16 @@ Contents read_all(archive* reader, const std::string& name) {
       return contents;
     }
     if (++entries > kMostEntries) {
-      contents.refusal = fmt::format("has more than {} entries", kMostEntries);
+      contents.refusal = fmt::format("has more than {} files and folders", kMostEntries);
       return contents;
     }
     const char* stored = archive_entry_pathname_utf8(entry);
     if (stored == nullptr) stored = archive_entry_pathname(entry);
     const fs::path path = fs::path(stored != nullptr ? stored : "").lexically_normal();
     if (is_hostile(path)) {
-      contents.refusal = fmt::format("has the path \"{}\"", path.string());
+      contents.refusal =
+          fmt::format("has the path \"{}\", which is empty or leads out of the archive's folder",
+                      path.string());
       return contents;
     }
     const bool is_wanted = path.filename() == name;
@@ -100,8 +102,8 @@ Contents read_all(archive* reader, const std::string& name) {
   }
 }
 
-// Opens the file and checks the open descriptor, so that the file cannot be exchanged in between;
-// returns -1 and `why`.
+// Opens the file and checks the open descriptor, so that nobody can replace the file between the
+// check and the reading. If the file is refused, returns -1 and sets `why`.
 int open_ordinary(const fs::path& file, std::string& why) {
   const int opened = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   struct stat status = {};

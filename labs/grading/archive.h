@@ -13,7 +13,7 @@ namespace glassbox::labs::grading {
 // .tar.zst.
 bool is_archive(const std::filesystem::path& file);
 
-// Limits of an archive. A lab's folder has 20 files and less than a MiB.
+// Limits of an archive that is submitted. A lab's folder has 20 files and less than a MiB.
 inline constexpr std::size_t kLargestArchive = std::size_t(64) << 20;  // bytes of the file
 inline constexpr std::size_t kMostUnpacked = std::size_t(256) << 20;   // bytes of all its contents
 inline constexpr std::size_t kMostEntries = 10000;

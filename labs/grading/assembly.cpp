@@ -59,10 +59,11 @@ private:
     return text_.substr(from, at_ - from);
   }
 
-  // Reads one statement with its separator; false if it is foreign.
+  // Reads one statement with its separator; false if the statement is not allowed.
   bool statement() {
     skip_spaces();
-    // a comment over the whole line; on AArch64 too, where # has another meaning inside a line
+    // a comment over the whole line; # begins one on AArch64 too, where it has another meaning
+    // inside a line
     if (here() == '#') {
       at_ = std::min(text_.find('\n', at_), text_.size());
     } else if (here() != '\n' && here() != ';') {
@@ -71,7 +72,7 @@ private:
       skip_spaces();
       if (here() == ':') {
         ++at_;
-        return true;  // a label: a statement of its own follows
+        return true;  // a label; another statement may follow on the line
       }
       const bool assignment = here() == '=';
       if (word.starts_with('.') && !assignment && !is_directive(word)) return false;
@@ -81,7 +82,8 @@ private:
     return true;
   }
 
-  // Reads up to the separator, but not the separator itself.
+  // Reads the rest of a statement up to its separator (the line's end or ';'), but not the
+  // separator itself; false if it is not allowed.
   bool rest() {
     for (; here() != '\n' && here() != ';'; ++at_) {
       if (here() == '"') {
@@ -93,7 +95,7 @@ private:
     return true;
   }
 
-  // Reads up to the closing quote, which must be in the same line.
+  // Reads a string up to its closing quote; false if that is not in the same line.
   bool string() {
     for (++at_; here() != '"'; ++at_) {
       if (here() == '\\' && next() != '\n') {

@@ -13,8 +13,9 @@
 
 namespace glassbox::labs::grading {
 
-// setup.sh, which builds glassbox once in the autograder's image; run_autograder, which grades one
-// submission; and under glassbox/ the sources of the program, from `tree`, a clone of glassbox.
+// The files: setup.sh, which builds glassbox once in the autograder's image; run_autograder, which
+// grades one submission; and under glassbox/ the sources of the program, from `tree`, a clone of
+// glassbox.
 //
 // The layout is Gradescope's, /autograder/{source,submission,results}. The environment variable
 // GLASSBOX_AUTOGRADER names another folder in place of /autograder, to try the archive without
@@ -22,7 +23,7 @@ namespace glassbox::labs::grading {
 Result<std::vector<ZipEntry>> autograder_files(const Lab& lab, const std::filesystem::path& tree,
                                                const std::vector<std::string>& options);
 
-// The two scripts alone.
+// The texts of the two scripts, setup.sh and run_autograder.
 std::string setup_script();
 std::string run_script(int lab, const std::vector<std::string>& options);
 

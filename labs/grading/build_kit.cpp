@@ -39,8 +39,8 @@ std::vector<std::string> clang_flags(const std::string& compiler) {
   return {"-fno-integrated-as", "-fno-verbose-asm", "-fno-addrsig", "-fno-autolink"};
 }
 
-// -O1 as in the other programs: an error that an optimiser turns into another one cannot be
-// recognised at -O0 either.
+// Sanitizers run on code compiled with -O1 (compiler_flags()), as the other programs are: at -O0
+// they would not recognise more of the errors that the optimiser changes.
 const std::vector<std::string>& sanitizer_flags() {
   static const std::vector<std::string> words{
       "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"};
@@ -121,10 +121,10 @@ void make_readable_for_all(const BuildKit& kit, const fs::path& directory) {
   fs::permissions(directory / "objects", perms::owner_all, fs::perm_options::replace, error);
 }
 
-// The parts that a kit is made of.
+// The source texts that a kit (build_kit.h) is made from.
 struct Parts {
   std::string starter;
-  // the files around student.cpp, and student.cpp with the solution
+  // student.cpp with the solution and the files around it: without hidden checks, and with them
   std::vector<SourceFile> visible, all;
   std::string crash_reporter;
 };
@@ -164,8 +164,7 @@ Result<std::string> fingerprint_of(const Sources& sources, const Parts& parts,
   return digest.text();
 }
 
-// Runs the compiler in the directory of the `files`, so that its messages and macros do not contain
-// the path.
+// Writes the lab's own files to a directory and compiles them there.
 class LabFileCompiler {
 public:
   LabFileCompiler(const BuildKit& kit, const Sources& sources, fs::path directory)
@@ -209,8 +208,8 @@ Result<void> write_headers(const BuildKit& kit, const Sources& sources,
   return {};
 }
 
-// Removes incomplete kits beside the directory, which a killed program left. They are older than an
-// hour; making one takes less.
+// Removes incomplete kits beside the directory, which killed programs left: those that are older
+// than an hour, since making a kit takes less.
 void remove_leftovers(const fs::path& directory) {
   std::error_code error;
   const std::string name = directory.filename().string() + "-";
@@ -289,8 +288,8 @@ Result<BuildKit> make_build_kit(const Sources& sources, const std::string& folde
   remove_leftovers(directory);
   std::error_code error;
   if (!fs::exists(directory, error)) {
-    // Made beside its place and then renamed into it. If another process was faster, its kit is
-    // just as good.
+    // The kit is made in a directory beside `directory` and then renamed, so that it appears
+    // complete. If another process was faster, the kit of that process is just as good.
     std::string beside = directory.string() + "-XXXXXX";
     fs::create_directories(directory.parent_path(), error);
     if (::mkdtemp(beside.data()) == nullptr)
@@ -305,8 +304,9 @@ Result<BuildKit> make_build_kit(const Sources& sources, const std::string& folde
   const auto is = read_text_file(directory / "lab");
   if (is && *is == label) return kit_in(directory, *found, *fingerprint);
   return fail(directory.string(),
-              "is not a kit that was made for this lab, this compiler and this glassbox",
-              "name another directory, or remove this one");
+              "does not hold a kit (the lab's compiled files) for this lab, this compiler and this "
+              "glassbox",
+              "name another directory, or remove this directory");
 }
 
 Result<std::string> build_kit_fingerprint(const Sources& sources, const std::string& folder) {
@@ -341,12 +341,13 @@ static std::vector<std::string> student_compile_arguments(const BuildKit& kit,
   if (!options.debug_source_folder.empty())
     append(words, {"-g", fmt::format("-fdebug-prefix-map={}={}", build.string(),
                                      options.debug_source_folder)});
-  // A stub does not use its parameters.
+  // No warning about unused parameters, because the stubs of a starter do not use theirs.
   if (options.warnings) append(words, {"-Wall", "-Wextra", "-Wno-unused-parameter"});
-  // A limit on the number of errors: a student's own errors come before those that they cause
-  // elsewhere.
+  // The number of errors is limited: the first ones are the student's own, and later ones are often
+  // caused by them.
   words.push_back(is_clang(kit.compiler) ? "-ferror-limit=10" : "-fmax-errors=10");
-  // g++ quotes from the file that the last #line names, even if that is another file.
+  // g++ quotes lines from the file that the last #line directive names, even if that is another
+  // file, so a submission could make it show any file.
   if (!options.quotes)
     words.push_back(is_clang(kit.compiler) ? "-fno-caret-diagnostics"
                                            : "-fno-diagnostics-show-caret");
@@ -377,7 +378,8 @@ std::vector<std::string> object_command(const BuildKit& kit) {
 
 std::vector<std::string> link_command(const BuildKit& kit, const std::vector<std::string>& objects,
                                       const std::string& program, const CompileOptions& options) {
-  // -fno-lto: no contents of an object can make the linker compile.
+  // -fno-lto: nothing in an object file can make the linker start a compiler (link-time
+  // optimisation).
   std::vector<std::string> words{kit.compiler, "-fno-lto"};
   if (options.sanitize) {
     append(words, sanitizer_flags());

@@ -32,10 +32,10 @@ struct BuildKit {
   }
 };
 
-// Makes the kit of the lab labs/FOLDER in `directory`, which must be absolute, or finds the one
-// that was made there. The kit appears complete, in one step, so several processes may make the
-// same one at the same time. It is an error if the kit there belongs to another lab, another
-// compiler or other sources.
+// Makes the kit (the files that submissions are compiled with) of the lab labs/FOLDER in
+// `directory`, which must be absolute, or finds the kit that was made there. It appears complete,
+// in one step, so several processes may make the same kit at the same time. It is an error if the
+// kit there belongs to another lab, another compiler or other sources.
 Result<BuildKit> make_build_kit(const Sources& sources, const std::string& folder,
                                 const std::filesystem::path& directory);
 
@@ -45,20 +45,20 @@ Result<std::string> build_kit_fingerprint(const Sources& sources, const std::str
 // Copies the kit to a directory where every user can reach its headers.
 Result<BuildKit> copy_build_kit(const BuildKit& kit, const std::filesystem::path& directory);
 
-// Compiles one of the lab's own files in the same way as a student's file, so that the numbers are
-// the same. Headers are searched in `includes`.
+// Compiles one of the lab's own files in the same way as a student's file, so that both compute the
+// same numbers. Headers are searched in `includes`.
 Result<void> compile_lab_file(const std::string& compiler, const std::filesystem::path& source,
                               const std::vector<std::filesystem::path>& includes,
                               const std::filesystem::path& object);
 
-// The commands that make a program of student.cpp, one after the other. They are run in the
-// directory `build` and look for the files there; afterwards kFilesRead there lists the files that
-// were included.
+// The options of the commands that make a program of student.cpp, one after the other. The commands
+// are run in the directory `build` and look for the files there; afterwards kFilesRead there lists
+// the files that were included.
 struct CompileOptions {
   bool warnings = false;
   // for a debugger: with debug information and without optimisation (-O0 -g)
   bool debugger = false;
-  bool timed = false;  // as fast as the library (-O2); the numbers are the same
+  bool timed = false;  // as fast as the library (-O2), with the same numerical results
   // with AddressSanitizer and UndefinedBehaviorSanitizer, which end the program with a report
   bool sanitize = false;
   // the folder in which a debugger is to look for student.cpp; empty for none
@@ -67,8 +67,8 @@ struct CompileOptions {
 };
 std::vector<std::string> assembly_command(const BuildKit& kit, const CompileOptions& options,
                                           const std::filesystem::path& build);
-// The preprocessor alone. Its output names every file that it opens, in a line of dots, a space and
-// the path.
+// The command that runs only the preprocessor. Its output names every file that it opens, in a line
+// of dots, a space and the path.
 std::vector<std::string> preprocessor_command(const BuildKit& kit, const CompileOptions& options,
                                               const std::filesystem::path& build);
 std::vector<std::string> object_command(const BuildKit& kit);
@@ -80,8 +80,7 @@ inline constexpr const char* kAssembly = "student.s";
 inline constexpr const char* kObject = "student.o";
 inline constexpr const char* kFilesRead = "files-read";
 
-// The files that a compiler's dependency rule "student.o: student.cpp a.h" names, without the
-// first.
+// The files that a compiler's dependency rule "student.o: student.cpp a.h" names, except the first.
 std::vector<std::filesystem::path> headers_of(const std::string& rule);
 
 }  // namespace glassbox::labs::grading

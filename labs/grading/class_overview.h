@@ -10,12 +10,13 @@ namespace glassbox::labs::grading {
 
 struct ClassRow {
   std::string name;
-  // results.json, or unfinished_json() where there is none that can be read.
+  // the submission's results.json; unfinished_json() if there is none that can be read
   nlohmann::ordered_json results;
   bool finished = true;  // false: there is no result, or only one of an earlier grading
 };
 
-// The outcome; where the grading did not finish, it says that the result is an earlier one.
+// The outcome as text; if the grading did not finish and the result is that of an earlier grading,
+// the text says so.
 std::string outcome_of(const ClassRow& row);
 
 // The columns are submission, score, max_score, outcome, then the score of each task. A text that a

@@ -43,7 +43,7 @@ std::string compile_failure(const RunOutcome& outcome, const Limits& limits,
 }
 
 // A file that a submission included and that is neither the compiler's nor the lab's; empty if
-// there is none. Where the sandbox hides files there cannot be one.
+// there is none. In a sandbox that hides all other files there cannot be one.
 std::string foreign_file(const fs::path& build, const BuildKit& kit) {
   const auto rule = read_text_file(build / kFilesRead);
   if (!rule) return "a file whose name is not known";
@@ -58,13 +58,15 @@ CompileResult foreign(const std::string& file) {
           fmt::format("student.cpp includes {}, which is not part of the lab.\n", file)};
 }
 
-// The output of a compiler's part as students see it, without paths that only the grader knows.
+// The messages of the compiler (or assembler, or linker) as students see them, without paths that
+// only the grader knows.
 std::string without_grader_paths(const std::string& messages, const BuildKit& kit,
                                  const fs::path& build) {
   return remove_all(remove_all(messages, build.string() + "/"), kit.include.string() + "/");
 }
 
-// Runs one part of the compiler and collects its messages.
+// Runs the compiler, the assembler or the linker in the sandbox and adds its messages to
+// `messages`. Returns how it failed; empty if it did not.
 std::string run_confined_compiler(const std::vector<std::string>& command, const Sandbox& sandbox,
                                   const BuildKit& kit, const fs::path& build,
                                   std::string& messages) {
@@ -73,14 +75,14 @@ std::string run_confined_compiler(const std::vector<std::string>& command, const
   return compile_failure(outcome, compile_limits(), messages);
 }
 
-// Whether the preprocessor needs only the lab's files. Where the sandbox does not hide other files,
-// this is checked before any message of the compiler is shown, because a message about a file, or
-// about a name in it, reveals some of its contents. The preprocessor names a file before it prints
-// any message about it.
+// Runs the preprocessor, and fails if the submission includes a file that is not the lab's. Where
+// the sandbox does not hide other files, this must happen before any message of the compiler is
+// shown, because a message about a file, or about a name in it, reveals some of its contents. The
+// preprocessor names a file before it prints any message about it.
 CompileResult read_includes(const Sandbox& sandbox, const BuildKit& kit, const fs::path& build,
                             const CompileOptions& options) {
   Limits limits = compile_limits();
-  limits.kept_bytes = limits.printed_bytes;  // every name counts, so nothing is cut off
+  limits.kept_bytes = limits.printed_bytes;  // all names are needed, so nothing is cut off
   const RunOutcome outcome =
       sandbox.compile(preprocessor_command(kit, options, build), build, {kit.include}, limits);
   std::error_code error;
@@ -88,7 +90,7 @@ CompileResult read_includes(const Sandbox& sandbox, const BuildKit& kit, const f
   CompileResult read;
   std::istringstream lines(outcome.printed);
   for (std::string line; std::getline(lines, line);) {
-    // the end of g++'s output, followed by a list
+    // with this line g++ begins another list, of files without include guards
     if (line.starts_with("Multiple include guards")) break;
     const std::size_t dots = line.find_first_not_of('.');
     if (dots == 0 || dots == std::string::npos || line[dots] != ' ') {
@@ -114,7 +116,7 @@ struct BuildContext {
   const fs::path& build;
 };
 
-// Links the program. `objects` are copied to the directory and removed again.
+// Links the program. `objects` are copied to the build directory for the link, and removed again.
 fs::path link(std::vector<std::string> words, const std::vector<fs::path>& objects,
               const std::string& program, const BuildContext& context, std::string& messages,
               const CompileOptions& options) {
@@ -144,7 +146,8 @@ CompileResult compile_submission(const std::string& text, const Sandbox& sandbox
   const auto written = write_if_changed(build / kSource, text);
   if (!written) return {"grading did not finish", written.error().message()};
   if (!sandbox.give_to_sandbox_user(build) || !sandbox.give_to_sandbox_user(build / kSource))
-    return {"grading did not finish", "the build directory cannot be given to the sandbox's user"};
+    return {"grading did not finish",
+            "the build directory cannot be given to the user who runs the sandbox"};
   CompileResult compiled;
   CompileOptions used = options;
   if (sandbox.confinement() == Confinement::kLimits) {
@@ -162,8 +165,8 @@ CompileResult compile_submission(const std::string& text, const Sandbox& sandbox
   if (const auto statement = foreign_statement(*assembly))
     return {"compile error",
             fmt::format(
-                "student.cpp passes \"{}\" to the assembler, which a compiler never writes: remove "
-                "asm statements, and attributes that set a section or an assembler name.\n",
+                "student.cpp passes \"{}\" to the assembler, a statement that no compiler writes: "
+                "remove asm statements, and attributes that set a section or an assembler name.\n",
                 *statement)};
   compiled.failure =
       run_confined_compiler(object_command(kit), sandbox, kit, build, compiled.messages);
@@ -175,7 +178,7 @@ fs::path link_submission(CheckSelection checks, const Sandbox& sandbox, const Bu
                          const CompileOptions& options) {
   const std::string program = checks == CheckSelection::kVisible ? "runner" : "runner-of-all";
   std::vector<fs::path> objects = kit.objects(checks);
-  // A sanitizer handles signals itself.
+  // The crash reporter is left out, because a sanitizer handles signals itself.
   if (options.sanitize)
     std::erase_if(objects,
                   [](const fs::path& each) { return each.filename() == "crash_reporter.o"; });

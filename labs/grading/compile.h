@@ -16,8 +16,8 @@ struct CompileResult {
 };
 
 // Makes student.o in `build`, a directory of the sandbox's user. The text is compiled to assembly,
-// which is checked (assembly.h) before it is assembled, so that no file but the lab's headers gets
-// into it.
+// which is checked (assembly.h) before it is assembled, so that no file except the lab's headers
+// can get into student.o.
 CompileResult compile_submission(const std::string& text, const Sandbox& sandbox,
                                  const BuildKit& kit, const std::filesystem::path& build,
                                  const CompileOptions& options = {});

@@ -44,13 +44,14 @@ void on_forbidden_call(int signal, siginfo_t* info, void*) {
 
 void on_bad_address(int signal, siginfo_t* info, void*) {
   const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
-  // The address is in the page below the stack's end, or in a function's frame that extends below
-  // it.
+  // The stack has overflowed: the address is near the stack's end, or at most 8 MiB below it, where
+  // the local variables of a large function may be.
   if (address < stack_top - stack_bytes + kMiB / 4 &&
       address + stack_bytes + 8 * kMiB > stack_top) {
     report_crash("stack");
   } else {
-    // malloc returns null at the limit, and then null is written to.
+    // Perhaps the memory is used up: at the limit malloc returns null, and many programs then write
+    // to null. In that case no further memory can be had either.
     void* more = ::mmap(nullptr, 16 * kMiB, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (more == MAP_FAILED) report_crash("memory");
   }

@@ -87,7 +87,8 @@ private:
     check_outcomes[i] = verdict_name(Verdict::kUntouched);
   }
 
-  // A sanitizer ends the process with an exit status of its own, after it has printed the reason.
+  // Names the sanitizer's finding as the outcome in place of a crash. A sanitizer ends the process
+  // with an exit status of its own, after it has printed the reason.
   static void report_sanitizer_finding(CheckResult& result, std::string& outcome) {
     const auto finding = sanitizer_finding(result.printed);
     if (!finding || !result.first || result.verdict != Verdict::kCrash) return;
@@ -116,7 +117,8 @@ std::string check_outcome(const CheckResult& check, const std::vector<RunOutcome
   if (check.verdict == Verdict::kRight) return "passed";
   const bool ended_badly = check.verdict == Verdict::kCrash || check.verdict == Verdict::kTimeout ||
                            check.verdict == Verdict::kLimit;
-  // The first process reached the first case that is not right, unless that process ended there.
+  // The verdict is that on the first case that is not right. If a process ended badly in that case,
+  // it was the first process, because all cases before it were answered.
   if (!ended_badly || processes.empty()) return verdict_name(check.verdict);
   const RunOutcome& first = processes.front();
   switch (first.ending) {
@@ -159,8 +161,8 @@ GradedSubmission grade(const GradeRequest& request, const Result<std::string>& s
   };
   if (!compiled.failure.empty()) return not_built(compiled.failure);
   GradingRun grading_run(request, cases);
-  // The visible checks run first, in a program without the hidden ones, which therefore cannot
-  // reveal anything of them.
+  // The visible checks run first, in a program that does not contain the hidden checks and
+  // therefore cannot reveal anything of them.
   for (const CheckSelection which : {CheckSelection::kVisible, CheckSelection::kAll}) {
     if (which == CheckSelection::kAll && !request.hidden) break;
     const fs::path program = link_submission(which, sandbox, request.kit, request.build,
@@ -172,7 +174,7 @@ GradedSubmission grade(const GradeRequest& request, const Result<std::string>& s
   GradedSubmission graded;
   graded.outcome = "graded";
   graded.messages = compiled.messages;
-  // Checks that were not run have no name, and are not in the result.
+  // The result of a check that was not run has no name, and is removed.
   std::erase_if(grading_run.results, [](const CheckResult& each) { return each.name.empty(); });
   std::erase_if(grading_run.check_outcomes, [](const std::string& each) { return each.empty(); });
   graded.check_outcomes = std::move(grading_run.check_outcomes);

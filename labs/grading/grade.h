@@ -35,7 +35,7 @@ struct GradeRequest {
   CompileOptions compile_options = {};
 };
 
-// The result of the lab before it is known: no points, and `outcome` for every check.
+// The result of a lab that has not been graded: no points, and `outcome` for every check.
 GradedSubmission ungraded_submission(const Lab& lab, const std::string& outcome);
 
 // Compiles the submission and runs every check in its own process. `submission` is the text, or the

@@ -16,7 +16,7 @@ namespace {
 
 struct RunningProcess {
   std::string name;
-  int printed = -1;  // a file in memory
+  int printed = -1;  // its standard error, a file in memory
 };
 
 std::string file_contents(int file) {
@@ -26,7 +26,7 @@ std::string file_contents(int file) {
   return text;
 }
 
-// Starts the command. Returns the process's number, or -1.
+// Starts the command with standard error in the file `printed`. Returns the process ID, or -1.
 pid_t start_process(const std::vector<std::string>& command, int printed) {
   std::vector<char*> argv;
   for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));

@@ -13,12 +13,12 @@ struct ClassRequest {
   int jobs = 1;
   // Returns the command that grades one submission, the program first.
   std::function<std::vector<std::string>(const std::string& name)> command;
-  // Called when one has ended, in the order in which they end. `fine`: with exit status 0;
-  // `printed`: what it wrote to standard error.
+  // Called when the process that grades `name` has ended, in the order in which the processes end.
+  // `fine`: its exit status is 0; `printed`: what it wrote to standard error.
   std::function<void(const std::string& name, bool fine, const std::string& printed)> ended;
 };
 
-// Returns when all have ended. The processes also end when the caller ends, for any reason.
+// Returns when all processes have ended. They also end when the caller ends, for any reason.
 void grade_class(const ClassRequest& request);
 
 }  // namespace glassbox::labs::grading

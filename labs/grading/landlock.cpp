@@ -56,7 +56,8 @@ FileRules::FileRules(const std::vector<std::filesystem::path>& readable,
   rules.handled_access_fs = kEverything;
   const int created = static_cast<int>(create_ruleset(&rules, sizeof rules, 0));
   if (created < 0) return;
-  // Moved above the descriptors that a process gets, which would otherwise overwrite it.
+  // The descriptor gets a number of at least 10, because a process that is started gets descriptors
+  // with smaller numbers, which would overwrite it.
   ruleset_ = ::fcntl(created, F_DUPFD_CLOEXEC, 10);
   ::close(created);
   if (ruleset_ < 0) return;

@@ -7,7 +7,7 @@
 
 namespace glassbox::labs::grading {
 
-// A set of rules, held by the kernel behind a file descriptor and closed with it.
+// A set of rules in the kernel, which exists as long as its file descriptor is open.
 class FileRules {
 public:
   FileRules() = default;
@@ -28,8 +28,8 @@ private:
 
 bool can_restrict_files();
 
-// Restricts the calling process by the rules, permanently. It must have set no_new_privs. Allocates
-// nothing, so it can be used after fork.
+// Restricts the calling process by the rules, permanently. The process must have set no_new_privs.
+// Allocates nothing, so it can be used after fork.
 bool apply_file_rules(int descriptor);
 
 }  // namespace glassbox::labs::grading

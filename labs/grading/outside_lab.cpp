@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 constexpr const char* kNeeded[] = {"handout.md", "student.h",  "student.cpp",
                                    "cases.h",    "runner.cpp", "checks.cpp"};
 
-// Whether the judge is compiled from the file. Files that are compiled with a student's code, or
-// that draw, do not belong to the judge.
+// Whether the file is a source of the judge. Files that are compiled with a student's code, or that
+// draw, are not.
 bool is_of_judge(const fs::path& file) {
   const std::string name = file.filename().string();
   return file.extension() == ".cpp" && name != "student.cpp" && name != "runner.cpp" &&
@@ -64,8 +64,8 @@ std::string entry_point(const fs::path& folder) {
 }
 
 // With -Bsymbolic and -fno-gnu-unique the folder's code calls its own functions, even where the
-// program has a function of the same name, as it has if the folder is a changed copy of one of its
-// own labs. The arithmetic flags are those of the program.
+// program has a function of the same name, as it has if the folder is a changed copy of one of the
+// program's labs. The flags for floating-point arithmetic are those of the program.
 std::vector<std::string> compile_words(const Sources& sources, const std::vector<fs::path>& files,
                                        const fs::path& entry, const fs::path& made) {
   std::vector<std::string> words{compiler(),
@@ -97,7 +97,7 @@ Result<void> compile_judge(const Sources& sources, const fs::path& place, const 
   std::error_code error;
   fs::create_directories(place, error);
   fs::permissions(place, fs::perms::owner_all, fs::perm_options::replace, error);
-  // Made beside its place and then renamed into it.
+  // The library is made in a directory of its own and then renamed, so that it appears complete.
   std::string beside = (place / "judge-XXXXXX").string();
   if (::mkdtemp(beside.data()) == nullptr)
     return fail(place.string(), "cannot be written", "check the directory's permissions and space");
@@ -109,7 +109,7 @@ Result<void> compile_judge(const Sources& sources, const fs::path& place, const 
     if (!outcome.started || outcome.timed_out || !WIFEXITED(outcome.status) ||
         WEXITSTATUS(outcome.status) != 0)
       done = fail(sources.outside.string(),
-                  "the judge does not compile: " +
+                  "the lab's checks do not compile: " +
                       (outcome.started ? outcome.printed : outcome.why_not_started),
                   "correct the file that the compiler names");
   }
@@ -126,18 +126,24 @@ auto checks_file_error(const Sources& sources, const std::string& cause,
   return fail((sources.outside / "checks.cpp").string(), cause, what_to_do);
 }
 
-// Checks the properties that the points and the reports rely on.
+// Checks that the lab's folder, number, tasks and checks are as the points and reports expect.
 Result<void> check_consistency(const Sources& sources, const Lab& lab) {
   const std::string folder = sources.outside.filename().string();
   if (lab.folder != folder)
-    return checks_file_error(sources, fmt::format("the lab calls its folder \"{}\"", lab.folder),
-                             fmt::format("give it \"{}\", the name of the folder", folder));
+    return checks_file_error(
+        sources,
+        fmt::format("the lab says that its folder is called \"{}\", but it has another name",
+                    lab.folder),
+        fmt::format("write \"{}\", the name of the folder", folder));
   if (lab.number != std::stoi(number_of(sources.outside)))
-    return checks_file_error(sources, fmt::format("the lab's number is {}", lab.number),
-                             "give it the number that the folder's name begins with");
+    return checks_file_error(
+        sources,
+        fmt::format("the lab's number is {}, but its folder's name begins with another number",
+                    lab.number),
+        "write the number that the folder's name begins with");
   if (lab.tasks.empty() || lab.checks.empty())
     return checks_file_error(sources, "the lab has no task or no check",
-                             "give it one of each at least");
+                             "give the lab at least one task and one check");
   for (const Check& check : lab.checks) {
     const auto is_its = [&](const Task& task) { return task.id == check.task; };
     if (std::none_of(lab.tasks.begin(), lab.tasks.end(), is_its))
@@ -192,13 +198,14 @@ Result<const Lab*> load_outside_lab(const Sources& sources, const fs::path& plac
   void* const loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (loaded == nullptr)
     return checks_file_error(
-        sources, fmt::format("the judge cannot be loaded: {}", ::dlerror()),
+        sources, fmt::format("the lab's compiled checks cannot be loaded: {}", ::dlerror()),
         "call only functions that lab.h, compare.h and glassbox's headers declare");
   using Make = void (*)(Lab*);
   const auto make = reinterpret_cast<Make>(::dlsym(loaded, "glassbox_lab"));
   if (make == nullptr)
-    return checks_file_error(sources, ::dlerror(), "remove the directory of the judge");
-  // The lab's checks are functions of the loaded library, so both stay until the program ends.
+    return checks_file_error(sources, ::dlerror(), "remove the file " + library.string());
+  // The lab's checks are functions of the loaded library, so the lab and the library stay until the
+  // program ends.
   static std::vector<std::unique_ptr<Lab>> kept;
   auto lab = std::make_unique<Lab>();
   make(lab.get());

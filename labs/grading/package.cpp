@@ -25,7 +25,7 @@ constexpr const char* kStudentExtras[] = {"debug", "docs", "examples", "glassbox
 
 bool is_excluded(const fs::path& relative) {
   const std::string path = relative.generic_string();
-  // That page names every hidden check, and which faults it finds.
+  // docs/lab_faults.md names every hidden check and the faults that the check finds.
   return relative.filename().string().starts_with('.') || path.starts_with("images/golden/") ||
          path == "docs/lab_faults.md";
 }
@@ -41,13 +41,13 @@ Result<ZipEntry> entry_of(const fs::path& tree, const fs::path& relative,
   return ZipEntry{prefix + relative.generic_string(), std::move(*text), executable};
 }
 
-// Adds the files of a part, in any order. Links are ignored: the build makes those of include/
+// Adds the files of a part, in any order. Links are ignored: the build makes the links in include/
 // where they are missing.
 Result<void> add_part(const fs::path& tree, const char* part, std::vector<fs::path>& files) {
   std::error_code error;
   if (!fs::exists(tree / part, error)) {
     return fail(tree.string(), fmt::format("is not a clone of glassbox: it has no {}", part),
-                "run this command of the program that was built in a clone");
+                "use the glassbox program that was built in a clone of the repository");
   }
   if (fs::is_regular_file(tree / part, error)) files.emplace_back(part);
   fs::recursive_directory_iterator entry(tree / part, error), end;
@@ -108,7 +108,7 @@ Result<std::vector<ZipEntry>> students_files(const fs::path& tree) {
       entries.push_back(std::move(entry));
     }
   }
-  // The file that cmake/options.cmake looks for.
+  // The build makes the program for students if this file exists (cmake/options.cmake).
   entries.push_back({prefix + "cmake/for-students",
                      "This glassbox has the labs without solutions, hidden checks and grading.\n"});
   return entries;

@@ -16,9 +16,9 @@ namespace glassbox::labs::grading {
 Result<std::vector<ZipEntry>> program_files(const std::filesystem::path& tree,
                                             const std::string& prefix);
 
-// The same with the documents, and with the labs as students get them
-// (framework/student_version.h). A program built from it is a glassbox for students,
-// with the commands that they need.
+// The sources and documents of the program in the clone `tree`, with the labs as students get them
+// (framework/student_version.h). A program built from these files is a glassbox for students, with
+// the commands that they need.
 Result<std::vector<ZipEntry>> students_files(const std::filesystem::path& tree);
 
 }  // namespace glassbox::labs::grading

@@ -26,8 +26,8 @@ namespace glassbox::labs::grading {
 
 namespace {
 
-// Everything that the child needs, prepared before the fork, because nothing may be allocated after
-// it.
+// Everything that the child needs. It is prepared before the fork, because nothing may be allocated
+// after the fork.
 struct PreparedChild {
   std::vector<char*> argv, environment;
   const char* directory = nullptr;
@@ -77,33 +77,35 @@ bool switch_user(uid_t user) {
                                                   {prepared.filter_file, kFilterFd}}};
   for (const auto& [from, to] : places) {
     if (from < 0) continue;
-    if (::dup2(from, to) < 0) report_error_and_exit(prepared, "its descriptors");
+    if (::dup2(from, to) < 0) report_error_and_exit(prepared, "connecting its files");
   }
   const unsigned first_closed = prepared.filter_file >= 0 ? kFilterFd + 1 : kCrashReportFd + 1;
 #ifdef SYS_close_range
   constexpr unsigned kOnExec = 1U << 2;  // CLOSE_RANGE_CLOEXEC
   ::syscall(SYS_close_range, first_closed, ~0U, kOnExec);
 #endif
-  if (::chdir(prepared.directory) != 0) report_error_and_exit(prepared, "its directory");
+  if (::chdir(prepared.directory) != 0) report_error_and_exit(prepared, "entering its directory");
   if (!set_limits(launch.limits, launch.user.has_value()))
-    report_error_and_exit(prepared, "its limits");
-  if (launch.user && !switch_user(*launch.user)) report_error_and_exit(prepared, "its user");
-  // Set after the change of user, which clears it.
+    report_error_and_exit(prepared, "setting its limits");
+  if (launch.user && !switch_user(*launch.user))
+    report_error_and_exit(prepared, "changing to its user");
+  // The child is to be killed when its parent ends. This is set after the change of user, which
+  // would clear it.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
-    report_error_and_exit(prepared, "no new privileges");
+    report_error_and_exit(prepared, "giving up new privileges");
   if (launch.file_rules >= 0 && !apply_file_rules(launch.file_rules))
-    report_error_and_exit(prepared, "its file rules");
+    report_error_and_exit(prepared, "setting its rules for files");
   if (!launch.in_bubblewrap && !prepared.filter.empty()) {
     set_own_pid(prepared.filter, static_cast<unsigned>(::getpid()));
     const sock_fprog program{static_cast<unsigned short>(prepared.filter.size()),
                              prepared.filter.data()};
     if (::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) != 0)
-      report_error_and_exit(prepared, "its system-call filter");
+      report_error_and_exit(prepared, "setting its system-call filter");
   }
   ::execve(prepared.argv[0], prepared.argv.data(), prepared.environment.data());
-  report_error_and_exit(prepared, "the program");
+  report_error_and_exit(prepared, "running the program");
 }
 
 RunOutcome not_started(std::string why) {
@@ -126,7 +128,7 @@ void classify(RunOutcome& outcome, int status, const std::string& crash_report,
   if (signal == SIGXCPU) outcome.ending = Ending::kTimeout;
   if (signal == SIGXFSZ) {
     outcome.ending = Ending::kTooMuchOutput;
-    outcome.detail = "a file grew too large";
+    outcome.detail = "it wrote a larger file than is allowed";
   }
   if (signal == SIGSYS) {
     outcome.ending = Ending::kForbidden;
@@ -190,7 +192,8 @@ RunOutcome launch(const Launch& launch) {
     int error = 0;
     std::memcpy(&error, why, sizeof error);
     const std::string step(why + sizeof error, static_cast<std::size_t>(length) - sizeof error);
-    return not_started(fmt::format("{} ({}): {}", launch.command[0], step, std::strerror(error)));
+    return not_started(
+        fmt::format("{}: {} failed: {}", launch.command[0], step, std::strerror(error)));
   }
   outcome.answers = std::move(streams[0].text);
   outcome.printed = std::move(streams[1].text);

@@ -43,7 +43,7 @@ std::string junit_xml(const OrderedJson& results) {
                          escaped_html(outcome_in(test)), escaped_html(test.at("output")));
   }
   const bool graded = extra.at("outcome") == "graded";
-  // The reason why no check was run is one error.
+  // If nothing was graded, the report has one error: the reason why no check was run.
   if (!graded)
     cases += fmt::format(
         "    <testcase classname=\"submission\" name=\"student.cpp\">\n      <error "
@@ -61,7 +61,8 @@ std::string junit_xml(const OrderedJson& results) {
 std::string vpl_text(const OrderedJson& results, double most) {
   std::string text;
   double score = 0, max_score = 0;
-  // A line that begins with "-" is a title; a line that begins with ">" is shown literally.
+  // In the format of VPL (Moodle's Virtual Programming Lab), a line that begins with "-" is a
+  // title, and a line that begins with ">" is shown literally.
   const auto add = [&](const std::string& title, const std::string& body) {
     text += "<|--\n-" + title + "\n";
     std::istringstream lines(body);

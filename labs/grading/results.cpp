@@ -26,7 +26,7 @@ double points(double value) {
   return std::round(value * 1e6) / 1e6;
 }
 
-// JSON has no infinities and no NaN.
+// A number as JSON; infinities and NaN, which JSON does not have, become text.
 Json number(double value) {
   if (std::isfinite(value)) return value;
   return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
@@ -115,8 +115,8 @@ std::string explanation(const CheckResult& check, const std::string& name) {
 Json gradescope_json(const GradedSubmission& graded, const std::string& confinement,
                      const std::string& digest) {
   const LabResult& lab = graded.result;
-  // Shows no points: students read this before grades are published, and the total would reveal
-  // something about hidden checks.
+  // The text shows no points: students read it before grades are published, and the total would
+  // reveal something about hidden checks.
   std::string output = fmt::format("Lab {}, {}.\n", lab.number, lab.title);
   if (graded.outcome != "graded") output += graded.outcome + ".\n";
   if (!graded.messages.empty()) output += "\n" + truncated(graded.messages, 3 * kMostText);
@@ -134,8 +134,8 @@ Json gradescope_json(const GradedSubmission& graded, const std::string& confinem
     const std::string number = fmt::format("{}.{}", check.task, ++counts[check.task]);
     tests.push_back(test_json(check, graded.check_outcomes[i], number));
   }
-  // There is no "score" here: Gradescope adds up the tests, and shows the sum when it shows them
-  // all.
+  // There is no "score" here: Gradescope adds up the scores of the tests, and shows the sum when it
+  // shows all tests.
   return {{"output", output},
           {"output_format", "text"},
           {"test_output_format", "text"},

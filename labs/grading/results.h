@@ -16,9 +16,9 @@ namespace glassbox::labs::grading {
 inline constexpr const char* kUnfinished = "grading did not finish";
 
 // results.json. There is one test for each check. A hidden check is shown when grades are
-// published, and nothing else that students see depends on one: so there is no total. What the
-// grader knows beyond Gradescope's fields is in extra_data, which students do not see. Nothing in
-// it depends on when or where it was made. `confinement` is Sandbox::description(), `digest` a
+// published. Nothing else that students see depends on a hidden check, so there is no total. What
+// the grader knows beyond Gradescope's fields is in extra_data, which students do not see. The JSON
+// does not depend on when or where it was made. `confinement` is Sandbox::description(), `digest` a
 // digest of everything that the result depends on.
 nlohmann::ordered_json gradescope_json(const GradedSubmission& graded,
                                        const std::string& confinement,
@@ -27,10 +27,11 @@ nlohmann::ordered_json gradescope_json(const GradedSubmission& graded,
 // results.json of a submission of which nothing is known yet, not even the lab.
 nlohmann::ordered_json unfinished_json();
 
-// The points of results.json.
+// The sum of the points in results.json.
 double total_of(const nlohmann::ordered_json& results);
 
-// Made from results.json: hidden checks count, but only their names are shown.
+// The report for GitHub Classroom, made from results.json: hidden checks count, but only their
+// names are shown.
 nlohmann::ordered_json classroom_json(const nlohmann::ordered_json& results);
 
 // The JSON as text; bytes that are not valid UTF-8 are replaced.

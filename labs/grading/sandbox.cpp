@@ -34,7 +34,7 @@ const std::vector<fs::path>& compiler_files() {
   return files;
 }
 
-// The traditional paths, which are links into /usr on most systems.
+// The traditional directories of programs and libraries, which are links into /usr on most systems.
 const std::vector<fs::path>& traditional_directories() {
   static const std::vector<fs::path> places{"/bin", "/lib", "/lib32", "/lib64", "/libx32"};
   return places;
@@ -79,7 +79,7 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
   std::vector<std::optional<uid_t>> users;
   if (::geteuid() == 0) users.push_back(unused_user_id());
   users.push_back(std::nullopt);
-  std::string why;  // why none of them works
+  std::string why;  // why no kind of confinement works
   const auto does_not_work = [&](Confinement each, const std::string& reason) {
     why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", name_of(each), reason);
   };
@@ -118,14 +118,14 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
               "namespaces or seccomp in the container");
 }
 
-// A compiler's confinement needs more than a runner's: if a compiler can be started here, a runner
-// can be too.
+// Tries to start a compiler. Its confinement needs more than a runner's: if a compiler can be
+// started here, a runner can be too.
 std::string Sandbox::failure_reason(const fs::path& scratch) const {
   const fs::path trial = scratch / "trial";
   std::error_code error;
   fs::create_directory(trial, error);
   if (error || !give_to_sandbox_user(trial))
-    return "no directory can be given to the sandbox's user in " + scratch.string();
+    return "no directory for the sandbox's user can be made in " + scratch.string();
   Limits limits = compile_limits();
   limits.seconds = 10;
   const RunOutcome outcome = compile({"/usr/bin/touch", "here"}, trial, {}, limits);
@@ -161,8 +161,8 @@ bool Sandbox::give_to_sandbox_user(const fs::path& path) const {
   return !user_ || ::lchown(path.c_str(), *user_, *user_) == 0;
 }
 
-// Runs the command where only the system's own files and `readable` are visible, and `directory` if
-// it may be written to.
+// Runs the command where only the system's own files and `readable` are visible, and also
+// `directory` if `may_write`.
 RunOutcome Sandbox::launch_confined(const std::vector<std::string>& command,
                                     const fs::path& directory, bool may_write,
                                     const std::vector<fs::path>& readable,
@@ -230,9 +230,9 @@ RunOutcome Sandbox::run_sanitized(const fs::path& program,
   std::vector<std::string> command{program.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   command.insert(command.end(), {"--out-fd", std::to_string(kAnswersFd)});
-  // A leak is not an error of a stage, and the search for leaks needs threads and tracing. g++'s
-  // sanitizers look up a program's line numbers themselves; those of clang++ use llvm-symbolizer or
-  // addr2line, the first one found in PATH.
+  // Leaks are not reported: a leak does not make an answer wrong, and the search for leaks needs
+  // threads and tracing. g++'s sanitizers look up a program's line numbers themselves; those of
+  // clang++ use llvm-symbolizer or addr2line, the first one found in PATH.
   const std::vector<std::string> environment{
       "LC_ALL=C", "PATH=/usr/bin:/bin",
       fmt::format("ASAN_OPTIONS=detect_leaks=0:hard_rss_limit_mb={}:color=never:allow_addr2line=1",

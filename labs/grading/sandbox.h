@@ -19,10 +19,10 @@
 namespace glassbox::labs::grading {
 
 enum class Confinement {
-  kBubblewrap,  // namespaces: it sees no other process, no network, and no file but those named
-  // it sees no file but those named; the system-call filter blocks network and other processes
+  kBubblewrap,  // namespaces: no other process, no network and only named files are visible
+  // only named files can be opened; the system-call filter blocks network and other processes
   kLandlock,
-  kLimits,  // only the filter; a compiler can read every file that its user can read
+  kLimits,  // the system-call filter only; a compiler can read every file that its user can read
 };
 
 constexpr std::string_view name_of(Confinement confinement) {
@@ -32,8 +32,9 @@ constexpr std::string_view name_of(Confinement confinement) {
 
 class Sandbox {
 public:
-  // Tries the kinds that exist with a real process in `scratch`, which must exist. `only`: no kind
-  // other than this. It is an error if there is neither bubblewrap nor a filter for system calls.
+  // Chooses the strongest confinement that works when a real process is run in `scratch`, which
+  // must exist. With `only`, no other kind is tried. It is an error if there is neither bubblewrap
+  // nor a filter for system calls.
   static Result<Sandbox> choose(const std::filesystem::path& scratch,
                                 std::optional<Confinement> only = {});
 
@@ -44,17 +45,17 @@ public:
   // where that user is the caller.
   bool give_to_sandbox_user(const std::filesystem::path& path) const;
 
-  // Runs a compiler in the directory `build`, which it may write to; otherwise it sees only its own
-  // files and `readable`.
+  // Runs a compiler in the directory `build`, which it may write to. Apart from that it sees only
+  // the system's compiler files and `readable`.
   RunOutcome compile(const std::vector<std::string>& command, const std::filesystem::path& build,
                      const std::vector<std::filesystem::path>& readable,
                      const Limits& limits) const;
   // Whether a compiler may read the file: the rule that compile() enforces where the machine can do
-  // so. Elsewhere the caller checks it afterwards.
+  // so. On other machines the caller checks afterwards which files were read.
   static bool compiler_may_read(const std::filesystem::path& file,
                                 const std::vector<std::filesystem::path>& readable);
-  // Runs a statically linked program, which sees no file at all, except the one that `input` is
-  // open for: its standard input (-1: empty).
+  // Runs a statically linked program, which can open no file. Its standard input is the descriptor
+  // `input` (-1: empty).
   RunOutcome run(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                  const Limits& limits, int input = -1) const;
   // Runs a program that was built with sanitizers. It can read the system's libraries and itself,
@@ -92,7 +93,7 @@ private:
   double left_;
 };
 
-// Sandbox::run as a Runner, the framework's way of running a check.
+// Runs the framework's checks in the sandbox: a Runner that calls Sandbox::run.
 class SandboxRunner : public Runner {
 public:
   SandboxRunner(const Sandbox& sandbox, Limits limits, bool sanitized = false,

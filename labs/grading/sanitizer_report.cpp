@@ -11,8 +11,8 @@ namespace glassbox::labs::grading {
 
 namespace {
 
-// A frame such as "    #1 0x55d0 in lab_05::f(int) student.cpp:24:3": the function without its
-// arguments, the file's name, the line.
+// Reads a line of a stack trace, such as "    #1 0x55d0 in lab_05::f(int) student.cpp:24:3": the
+// function without its arguments, the file's name, the line.
 std::optional<std::string> place_of(const std::string& frame) {
   static const std::regex pattern(R"(^ *#\d+ 0x[0-9a-f]+ in (.*) (\S*?)([^/\s:]+):(\d+)(:\d+)?$)");
   std::smatch parts;

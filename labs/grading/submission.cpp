@@ -65,7 +65,8 @@ std::vector<fs::path> files_below(const fs::path& folder) {
   return files;
 }
 
-// The file is opened once and the open file is checked, so that it cannot be exchanged in between.
+// Opens the file once and checks the open file, so that nobody can replace it between the check and
+// the reading.
 Result<std::string> read_ordinary(const fs::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
   if (file < 0) {
@@ -89,7 +90,7 @@ Result<std::string> read_ordinary(const fs::path& path) {
   return text;
 }
 
-// The only archive in a folder.
+// The archive in a folder that has exactly one.
 std::optional<fs::path> only_archive(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> found = entries_of(folder, error);
@@ -158,8 +159,8 @@ Result<ClassFolder> list_submissions(const fs::path& folder) {
   ClassFolder found;
   const auto add = [&](const std::string& name, const fs::path& path) {
     if (name == kTableOfClass || name == kPageOfClass) {
-      found.skipped.push_back(
-          fmt::format("{}: a file of the results has this name", path.filename().string()));
+      found.skipped.push_back(fmt::format("{}: this name is needed for a file of the results",
+                                          path.filename().string()));
       return;
     }
     const auto same = std::find_if(found.submissions.begin(), found.submissions.end(),
@@ -167,12 +168,13 @@ Result<ClassFolder> list_submissions(const fs::path& folder) {
     if (same == found.submissions.end()) {
       found.submissions.push_back({name, path});
     } else {
-      found.skipped.push_back(fmt::format("{}: {} has the same name", path.filename().string(),
+      found.skipped.push_back(fmt::format("{}: another submission, {}, has the same name",
+                                          path.filename().string(),
                                           same->path.filename().string()));
     }
   };
-  // Folders come first: then an archive beside the folder that it was unpacked to is not taken as a
-  // second submission.
+  // Folders are listed first, so that an archive beside the folder that it was unpacked to is not
+  // taken as a second submission.
   for (const fs::path& path : entries) {
     if (fs::is_directory(path, error)) add(path.filename().string(), path);
   }

@@ -9,7 +9,7 @@
 
 namespace glassbox::labs::grading {
 
-// In bytes; a solution has some 10 KiB.
+// The size of the largest source that is accepted, in bytes; a solution has some 10 KiB.
 inline constexpr std::size_t kLargestSource = std::size_t(1) << 20;
 
 // The text of student.cpp. In a folder it is at the top, in the only folder in it (as after
@@ -34,7 +34,7 @@ tl::unexpected<Error> missing_file_error(const std::string& name,
 // The name of a submission in a class: the name of its folder, or of its file without the ending.
 std::string submission_name(const std::filesystem::path& path);
 
-// A file beside the folders of results, so no submission may have this name.
+// A file of this name is written beside the folders of results, so no submission may have the name.
 inline constexpr const char* kTableOfClass = "class.csv";
 inline constexpr const char* kPageOfClass = "index.html";
 

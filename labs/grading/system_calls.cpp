@@ -132,8 +132,7 @@ struct Release {
 using Context = std::unique_ptr<void, Release>;
 
 auto filter_error(const std::string& what) {
-  return fail("the system-call filter", what + " was refused by libseccomp",
-              "grade on Linux on x86-64 or AArch64");
+  return fail("the system-call filter", what, "grade on Linux on x86-64 or AArch64");
 }
 
 // Adds a rule. A call that this processor does not have is ignored.
@@ -144,15 +143,15 @@ bool add(const Context& context, std::uint32_t action, const char* name, Conditi
   return seccomp_rule_add(context.get(), action, number, sizeof...(conditions), conditions...) == 0;
 }
 
-// A condition on an argument, counted from 0; libseccomp's own macros for it work in C but not in
-// C++.
+// The condition that an argument of a system call (counted from 0) has this value; libseccomp's own
+// macros for it work in C but not in C++.
 scmp_arg_cmp equals(unsigned argument, scmp_datum_t value) {
   return {argument, SCMP_CMP_EQ, value, 0};
 }
 
 Result<SystemCallFilter> export_filter(const Context& context) {
   const int file = ::memfd_create("filter", MFD_CLOEXEC);
-  if (file < 0) return filter_error("a file in memory");
+  if (file < 0) return filter_error("no file in memory can be made for it");
   SystemCallFilter filter;
   if (seccomp_export_bpf(context.get(), file) == 0) {
     const off_t bytes = ::lseek(file, 0, SEEK_END);
@@ -160,7 +159,7 @@ Result<SystemCallFilter> export_filter(const Context& context) {
     if (::pread(file, filter.data(), static_cast<std::size_t>(bytes), 0) != bytes) filter.clear();
   }
   ::close(file);
-  if (filter.empty()) return filter_error("the filter's program");
+  if (filter.empty()) return filter_error("libseccomp cannot write its program");
   return filter;
 }
 
@@ -172,14 +171,14 @@ bool can_filter_system_calls() {
 
 Result<SystemCallFilter> runner_filter(bool in_namespace) {
   const Context context(seccomp_init(SCMP_ACT_TRAP));
-  if (!context) return filter_error("an empty filter");
+  if (!context) return filter_error("libseccomp cannot make an empty filter");
   bool fine = true;
   for (const char* name : kRunnerMay) fine = add(context, SCMP_ACT_ALLOW, name) && fine;
-  // abort() and assert() send a signal to the process itself.
+  // A process may send itself signals (tgkill), as abort() and assert() do.
   if (in_namespace) {
     fine = add(context, SCMP_ACT_ALLOW, "tgkill") && fine;
     // Bubblewrap, the first process in the namespace, is under the filter too and waits for the
-    // second.
+    // second process, the student's.
     fine = add(context, SCMP_ACT_ALLOW, "wait4") && fine;
   } else {
     fine = add(context, SCMP_ACT_ALLOW, "tgkill", equals(0, kOwnPid)) && fine;
@@ -188,21 +187,21 @@ Result<SystemCallFilter> runner_filter(bool in_namespace) {
   fine = add(context, SCMP_ACT_ALLOW, "prlimit64", equals(2, 0)) && fine;
   for (const scmp_datum_t what : {scmp_datum_t{F_GETFD}, scmp_datum_t{F_GETFL}})
     fine = add(context, SCMP_ACT_ALLOW, "fcntl", equals(1, what)) && fine;
-  // glibc queries whether an output is a terminal, and what the path of a static program is; it
-  // goes on without an answer.
+  // glibc queries whether an output is a terminal, and the path of a static program. The calls fail
+  // with an error, which glibc accepts, and do not end the process.
   fine = add(context, SCMP_ACT_ERRNO(ENOTTY), "ioctl") && fine;
   fine = add(context, SCMP_ACT_ERRNO(ENOENT), "readlink") && fine;
   fine = add(context, SCMP_ACT_ERRNO(ENOENT), "readlinkat") && fine;
-  if (!fine) return filter_error("a rule");
+  if (!fine) return filter_error("libseccomp refuses one of its rules");
   return export_filter(context);
 }
 
 Result<SystemCallFilter> compiler_filter() {
   const Context context(seccomp_init(SCMP_ACT_ALLOW));
-  if (!context) return filter_error("an empty filter");
+  if (!context) return filter_error("libseccomp cannot make an empty filter");
   bool fine = true;
   for (const char* name : kCompilerMayNot) fine = add(context, SCMP_ACT_ERRNO(EPERM), name) && fine;
-  if (!fine) return filter_error("a rule");
+  if (!fine) return filter_error("libseccomp refuses one of its rules");
   return export_filter(context);
 }
 

@@ -10,7 +10,7 @@
 
 namespace glassbox::labs::grading {
 
-// A filter in the kernel's form.
+// A filter of system calls in the form that the kernel takes.
 using SystemCallFilter = std::vector<sock_filter>;
 
 // False if the program was built without libseccomp.
@@ -29,8 +29,9 @@ Result<SystemCallFilter> runner_filter(bool in_namespace);
 // new privileges or namespaces. A forbidden call fails with EPERM.
 Result<SystemCallFilter> compiler_filter();
 
-inline constexpr unsigned kOwnPid = 0x3ead1dea;  // above the kernel's largest process number, 2^22
-// allocates nothing, so it can be used after fork
+inline constexpr unsigned kOwnPid = 0x3ead1dea;  // greater than any process number (at most 2^22)
+// puts the process's own number in the place of kOwnPid; allocates nothing, so it can be used after
+// fork
 void set_own_pid(SystemCallFilter& filter, unsigned pid);
 
 // The name of a system call, "openat"; or "system call 257" where the name is not known.

@@ -21,8 +21,8 @@ does not run the hidden checks, because the grade would reveal them: download th
 afterwards, and run `glassbox lab grade FOLDER --lab {0} -o results`.
 )";
 
-// A script for VPL, which starts it and then the program vpl_execution that the script leaves
-// behind.
+// A script for Moodle's Virtual Programming Lab (VPL). VPL runs the script, which writes the
+// program vpl_execution, and then runs that program.
 std::string script_that_leaves(const std::string& what, const std::string& commands) {
   return "#!/bin/bash\n# " + what +
          "\ncat >vpl_execution <<'END'\n#!/bin/bash\n[ -r vpl_environment.sh ] && . "

@@ -20,7 +20,7 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& all) {
   return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-// A number in the form in which results_json.h writes it.
+// Reads a number as results_json.h writes it: infinities and NaN are strings.
 double number_in(const Json& value) {
   if (value.is_number()) return value.get<double>();
   const double infinity = std::numeric_limits<double>::infinity();

@@ -18,9 +18,9 @@ struct ClaimedPoint {
   std::string measure, scene;
   double parameter = 0;
   double error = 0;
-  study::Quartiles ns;  // per item
-  // The experiment's own ways at that place that certainly take longer, or less long: their
-  // quartiles do not overlap with these.
+  study::Quartiles ns;  // the time per item
+  // The experiment's own methods, at the same parameter, that are certainly slower, or certainly
+  // faster, than the student's: the quartiles of their times do not overlap with those of `ns`.
   std::vector<std::string> faster_than, slower_than;
 };
 
@@ -32,8 +32,8 @@ struct Claim {
   std::vector<ClaimedPoint> points;
 };
 
-// Makes a claim from an experiment that has the student's series among its own; the points of those
-// series become the claim's points.
+// Makes a claim from the result of an experiment. Its points are those of the student's `series` in
+// the result.
 Claim claim_of(const std::string& lab, const std::string& code, const study::Origin& origin,
                const study::ExperimentResult& result, const std::vector<std::string>& series);
 
@@ -42,8 +42,9 @@ nlohmann::ordered_json claim_json(const Claim& claim);
 Result<Claim> read_claim(const std::string& path, const std::string& text);
 
 // The differences between a claim and a measurement, one line each: different code; points that are
-// missing, superfluous or there twice; a different error; a way that is faster in one and slower in
-// the other. The times themselves are not compared, because they may come from another machine.
+// missing, superfluous or there twice; a different error; a method that is faster than the
+// student's in the claim and slower in the measurement, or the reverse. The times themselves are
+// not compared, because they may come from another machine.
 std::vector<std::string> contradictions(const Claim& claimed, const Claim& measured);
 
 }  // namespace glassbox::labs

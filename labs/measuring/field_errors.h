@@ -1,5 +1,5 @@
-// The error of the experiment on one or two matrices for view and projection (D-7), for the labs
-// that are measured in it: depths of vertices in front of a camera far from the origin.
+// The error that labs are measured by in experiment D-7 (one or two matrices for view and
+// projection): that of the depths of vertices in front of a camera far from the origin.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace glassbox::labs {
 
-// The error in a quick run: over 32 fields at the distance `offset`. `question_of(field)` makes the
-// question for the depths of a field's points.
+// The error in a quick run: over 32 fields (sets of points) at the distance `offset` from the
+// origin. `question_of(field)` makes the question for the depths of a field's points.
 template <class QuestionOf>
 Result<double> rms_field_error(const Ask& ask, const QuestionOf& question_of,
                                study::d07::Depth depth, double offset) {

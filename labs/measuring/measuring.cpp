@@ -46,7 +46,7 @@ Ask ask_function(const DrawnStage& stage, StudentAnswers& student) {
   };
 }
 
-// A digest of all answers that `measure` asks for; nothing where the code breaks.
+// A digest of all answers that `measure` asks for; nothing if the student's code fails.
 std::optional<std::string> answers_digest(const Ask& ask,
                                           const std::function<void(const Ask& recorded)>& measure) {
   Digest digest;
@@ -63,9 +63,9 @@ std::optional<std::string> answers_digest(const Ask& ask,
   return digest.text();
 }
 
-// Judged like the experiments' own times (study/experiment/timing.h): the time of one thread is
-// processor time, and a round in which the thread had to wait for more than a twentieth of it
-// counts as disturbed.
+// Summarises the times of all rounds as the experiments do with their own
+// (study/experiment/timing.h): the time of a round is the thread's processor time, and the round
+// counts as disturbed if the thread had to wait for more than a twentieth of that time.
 Result<study::Timing> timing_of(const Numbers& taken, double items) {
   study::Timing timing;
   timing.repetitions = int(taken.size() / 2);
@@ -81,7 +81,8 @@ Result<study::Timing> timing_of(const Numbers& taken, double items) {
   return timing;
 }
 
-// Gives each point that was not timed by itself the times of its series at the same parameter.
+// Gives each point without times those of another point of the same series and scene at the same
+// parameter.
 void share_times(std::vector<study::ConfigurationResult>& all) {
   const auto timed = all;
   for (study::ConfigurationResult& each : all) {
@@ -125,7 +126,7 @@ Result<std::vector<study::ConfigurationResult>> measure_points(
   }
   for (std::size_t i = 0; i < points.size() && rounds > 0; ++i) {
     if (points[i].timed.empty()) continue;
-    // A question that was timed before is not timed again.
+    // The times of a question that has been timed before are used again.
     const auto same = std::find_if(
         points.begin(), points.begin() + std::ptrdiff_t(i), [&](const MeasuredPoint& other) {
           return other.timed == points[i].timed && other.items == points[i].items;
@@ -152,7 +153,8 @@ Result<std::vector<std::string>> untouched_series(
   const DrawnStage measured = stage_of(lab);
   // a series, and whether the student has written it
   std::vector<std::pair<std::string, bool>> all;
-  // A starter may say by an exception that nothing is written yet.
+  // The starter's functions may throw because nothing is written yet; the student's functions are
+  // as in the starter if they throw the same.
   const auto breaks_alike = [&] {
     return student.failure() && student.failure() == starter.failure();
   };
@@ -160,8 +162,8 @@ Result<std::vector<std::string>> untouched_series(
     return answers_digest(ask_function(measured, whose),
                           [&](const Ask& ask) { static_cast<void>(point.error(ask)); });
   };
-  // Points may store their answers, so the student and the starter each get their own. One answer
-  // that differs from the starter's is enough.
+  // A point may store its answers, so the student and the starter each get points of their own. One
+  // answer that differs from the starter's is enough.
   const std::vector<MeasuredPoint> points = lab.points(), starters = lab.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const MeasuredPoint& point = points[i];

@@ -1,5 +1,5 @@
-// A student's functions as one more way in an experiment (glassbox lab measure): how large their
-// errors are at each place of its axis, and how long they take.
+// Adds a student's functions to an experiment (glassbox lab measure) as one more method: how large
+// their errors are at each value of the experiment's parameter, and how long they take.
 //
 // A lab's part of this is two files in its folder:
 //   timed.cpp      passes questions to the student's functions, and does their work for the clock
@@ -24,15 +24,16 @@ namespace glassbox::labs {
 // Asks the student's process; returns one answer for each question. An answer may be of any length.
 using Ask = std::function<Result<std::vector<Numbers>>(const std::vector<Numbers>& questions)>;
 
-// A point of the chart, at a place where the experiment has others. Its error is NaN for an answer
-// of the wrong form, so that doing nothing does not count as exact.
+// A point of the experiment's chart, at a parameter where the experiment has points of its own. Its
+// error is NaN for an answer of the wrong form, so that a function that does nothing is not taken
+// for an exact one.
 struct MeasuredPoint {
   std::string series;
   double parameter = 0;
   std::string scene = {}, measure = {};
   std::function<Result<double>(const Ask& ask)> error = {};
-  // The question that is timed, and how many of the experiment's items it has. If it is empty, the
-  // times of the same series and scene at the same place are used.
+  // The input that is timed, and how many items (polygons, vertices, pixels) it has. If `timed` is
+  // empty, the times of another point with the same series, scene and parameter are used.
   Numbers timed = {};
   double items = 1;
 };
@@ -47,15 +48,15 @@ struct LabMeasure {
 // Returns nothing for a lab that has no such measurement.
 std::optional<LabMeasure> measure_of(int lab);
 
-// Measures every point in the same way as the experiment measures its own ways. Without `rounds`
-// nothing is timed. An error says what prevented the measurement; if it comes from the student's
-// code, `student` has the details.
+// Measures every point as the experiment measures its own methods. If `rounds` is 0, nothing is
+// timed. An error says what prevented the measurement; if it comes from the student's code,
+// `student` has the details.
 Result<std::vector<study::ConfigurationResult>> measure_points(
     const LabMeasure& lab, StudentAnswers& student, int rounds,
     const std::function<void(const std::string&)>& phase);
 
-// The series for which the student has written nothing yet: at all their points the student's
-// functions answer as the starter's do (which may throw).
+// The series for which the student has written nothing yet: at all points of such a series the
+// student's functions answer as the starter's do (which may throw).
 Result<std::vector<std::string>> untouched_series(
     const LabMeasure& lab, StudentAnswers& student, StudentAnswers& starter,
     const std::function<void(const std::string&)>& phase);

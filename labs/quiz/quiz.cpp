@@ -43,7 +43,7 @@ WorldPoint project_to_picture(const WorldPoint& p) {
   return {clip.x / clip.w, clip.y / clip.w, clip.z / clip.w};
 }
 
-// Places in front of the eye, at various distances.
+// Points in front of the eye, at various distances.
 std::vector<WorldPoint> visible_points() {
   return {{0, 0, -2}, {1, 0, -2}, {1, 1, -4}, {-2, 1, -3}, {0.5, -1, -8}, {3, 2, -5}};
 }
@@ -55,7 +55,7 @@ std::vector<WorldVector> directions() {
 
 bool nearly_equal(double a, double b) {
   return std::abs(a - b) <=
-         1e-12 * (1 + std::abs(a) + std::abs(b));  // some thousand roundings of double
+         1e-12 * (1 + std::abs(a) + std::abs(b));  // 1e-12: some thousand roundings of double
 }
 bool nearly_equal(const WorldVector& a, const WorldVector& b) {
   return nearly_equal(a.x, b.x) && nearly_equal(a.y, b.y) && nearly_equal(a.z, b.z);
@@ -75,7 +75,7 @@ bool holds_for_all(const Items& items, const Test& test) {
   return true;
 }
 
-// Whether the test holds for every map and every two places.
+// Whether the test holds for every map and every two points.
 template <class Test>
 bool holds_for_all_pairs(const Test& test) {
   return holds_for_all(affine_maps(), [&](const Map& m) {
@@ -116,7 +116,8 @@ Quiz affine_quiz() {
             "of four coordinates.",
             "step --point 0,0,0 --point 1,0,0 " + shift + eye,
             [] {
-              // Linear maps take a sum to a sum; tested on the sum of p and q, and on the origin.
+              // A linear map takes a sum to the sum of the images; tested on p + q, and on the
+              // origin.
               return holds_for_all_pairs([](const Map& m, const auto& p, const auto& q) {
                 const WorldPoint sum = m * Point<Object, double>(p.x + q.x, p.y + q.y, p.z + q.z);
                 return nearly_equal(sum - (m * p), (m * q) - WorldPoint(0, 0, 0));
@@ -204,7 +205,8 @@ Quiz perspective_quiz() {
           return holds_for_all(directions(), [](const WorldVector& d) {
             if (d.z == 0) return true;
             const WorldPoint goal = project_to_picture({d.x, d.y, d.z});
-            // Each point is half as far from the vanishing point when its distance is doubled.
+            // In the picture, the distance of a point from the vanishing point is inversely
+            // proportional to the point's distance from the eye.
             return holds_for_all(visible_points(), [&](const WorldPoint& p) {
               const auto from_goal = [&](double t) {
                 return without_depth(project_to_picture(p + d * t) - goal) * (-p.z - t * d.z);

@@ -12,10 +12,11 @@ struct QuizQuestion {
   std::string statement;
   bool truth = false;
   std::string why;
-  // the arguments of a glassbox command that shows it: a counterexample where the statement is
-  // false
+  // the arguments of a glassbox command that shows why the statement is true, or a counterexample
+  // if it is false
   std::string shown_by;
-  // Whether the statement holds for every sample that it is tried with, by the pipeline's own maps.
+  // Whether the statement holds for every sample that it is tried with; the samples are computed by
+  // the pipeline's own maps.
   std::function<bool()> holds;
 };
 

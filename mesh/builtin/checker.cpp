@@ -17,7 +17,8 @@ Scene make_checker() {
   Mesh floor;
   floor.name = "floor";
   floor.material = material;
-  // The image has 8 squares on each side.
+  // The image has 8 x 8 squares. It is repeated 512 times along 4096 units, so a square is 1 unit
+  // wide.
   add_rectangle(floor, {-2048, 0, 2048}, {4096, 0, 0}, {0, 0, -4096}, 512, 512);
   add_object(scene, std::move(floor));
   add_perspective(scene, "level", 50, 0.125, look_at_pose({0.3, 1.5, 0}, {0.3, 1.5, -1}));

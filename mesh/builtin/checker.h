@@ -5,7 +5,8 @@
 
 namespace glassbox {
 
-// A square of 4096 units, checks of 1 unit, unlit; the eye is 1.5 above it and looks horizontally.
+// The floor is an unlit square of 4096 x 4096 units with checks of 1 unit; the eye is 1.5 units
+// above it and looks horizontally.
 Scene make_checker();
 
 }  // namespace glassbox

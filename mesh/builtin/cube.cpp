@@ -10,8 +10,8 @@ Scene make_cube() {
   scene.name = "cube";
   Mesh mesh;
   mesh.name = "cube";
-  // The positive sides are pure red, green and blue for x, y and z; the negative ones their
-  // complements.
+  // The sides that face +x, +y and +z are red, green and blue; the opposite sides have the
+  // complementary colours.
   const std::array<std::uint32_t, 6> colors = {
       add_color(mesh, {0.05f, 0.7f, 0.7f, 1}),  add_color(mesh, {0.8f, 0.05f, 0.04f, 1}),
       add_color(mesh, {0.7f, 0.05f, 0.6f, 1}),  add_color(mesh, {0.08f, 0.6f, 0.06f, 1}),

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kColumns = 5, kRows = 4;
 
-// All squares of one colour. Sizes are in units of the distance, so that a rung seen from the
-// origin along -z covers the same window of the picture at any distance.
+// The squares of one colour from all rungs. Sizes are in units of the rung's distance from the eye,
+// so that every rung covers the same area of the picture.
 Mesh make_squares(const char* name, double half_side, double nearer_by) {
   Mesh mesh;
   mesh.name = name;
@@ -44,7 +44,8 @@ Scene make_depth_ladder() {
   front.material = add_unlit(scene, "green", {0.05f, 0.55f, 0.1f, 1});
   add_object(scene, std::move(front));
 
-  // The rows reach 0.4 above and below the gaze; the window's half height at unit distance is 0.45.
+  // At unit distance, the rows of rungs reach 0.4 above and below the direction of view, and the
+  // window has the half height 0.45.
   PerspectiveLens lens;
   lens.fovy_radians = 2 * arctan(0.45);
   lens.near = 0.5;

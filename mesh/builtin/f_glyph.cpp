@@ -6,7 +6,7 @@
 namespace glassbox {
 
 Scene make_f_glyph() {
-  // Counter-clockwise seen from the front.
+  // The corners of the letter, counter-clockwise as seen from the front.
   constexpr std::array<std::array<double, 2>, 10> kOutline = {
       {{0, 0}, {1, 0}, {1, 2}, {2.5, 2}, {2.5, 3}, {1, 3}, {1, 4}, {3, 4}, {3, 5}, {0, 5}}};
 

@@ -6,9 +6,9 @@
 
 namespace glassbox {
 
-// 3 wide, 5 high, 1 deep, with its lowest corner at (0, 0, 0); it reads correctly when seen from
-// +z. Front (yellow) and back (blue) are concave polygons of ten corners; the sides are quads. The
-// surface is closed.
+// The letter is 3 wide, 5 high and 1 deep, with its lowest corner at (0, 0, 0); it reads correctly
+// when seen from +z. Its front (yellow) and back (blue) are concave polygons of ten corners; the
+// sides are quads. The surface is closed.
 Scene make_f_glyph();
 
 }  // namespace glassbox

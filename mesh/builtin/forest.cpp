@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kTrees = 150;
 
-// One unit high; instances are scaled.
+// The trunk is one unit high; each instance scales it.
 Mesh make_trunk() {
   Mesh mesh;
   mesh.name = "trunk";
@@ -33,7 +33,7 @@ struct Spot {
   double x, z;
 };
 
-// Whether a tree may be placed there: not too close to the others.
+// Whether a tree may be placed at `spot`, which must not be too close to the trees in `taken`.
 bool is_free(const Spot& spot, const std::vector<Spot>& taken) {
   for (const Spot& other : taken) {
     const double x = spot.x - other.x, z = spot.z - other.z;
@@ -42,8 +42,8 @@ bool is_free(const Spot& spot, const std::vector<Spot>& taken) {
   return true;
 }
 
-// Places in the wedge that a wide picture shows, |x| < 0.75 distance. They are denser near the eye,
-// where a tree covers more of the picture.
+// Chooses random places for trees on the part of the ground that a wide picture shows, |x| < 0.75
+// times the distance. The trees are denser near the eye, where a tree covers more of the picture.
 std::vector<Spot> choose_spots() {
   std::vector<Spot> spots;
   for (std::uint64_t i = 0; spots.size() < kTrees; ++i) {
@@ -64,7 +64,8 @@ Scene make_forest() {
   const std::uint32_t moss = add_material(scene, "ground", {1, 1, 1, 1});
   scene.materials[moss].texture = add_texture(scene, make_noise(256, {112, 118, 70}, 40, 11));
   const std::uint32_t bark = add_material(scene, "bark", {0.16f, 0.085f, 0.04f, 1});
-  scene.materials[bark].double_sided = true;  // tubes are open
+  // A trunk is a tube with open ends, through which its inside may be visible.
+  scene.materials[bark].double_sided = true;
   const std::uint32_t needles = add_material(scene, "needles", {0.03f, 0.16f, 0.05f, 1});
 
   Mesh ground;

@@ -43,7 +43,7 @@ Image<Rgba8> make_noise(int side_px, Rgba8 color, int amplitude, std::uint64_t s
   Image<Rgba8> image(side_px, side_px);
   for (int y = 0; y < side_px; ++y) {
     for (int x = 0; x < side_px; ++x) {
-      // Two sizes of grain: 8 px and 1 px.
+      // The noise has two sizes of grain: patches of 8 x 8 px, and single pixels.
       const auto patch = std::uint64_t((y / 8) * side_px + x / 8);
       const auto pixel = std::uint64_t(y * side_px + x);
       const int offset =
@@ -59,7 +59,8 @@ Image<Rgba8> make_boards(Rgba8 color, std::uint64_t seed) {
   Image<Rgba8> image(kSide, kSide);
   for (int y = 0; y < kSide; ++y) {
     const int board = y / kBoard;
-    // The position where the ends of the board meet.
+    // The x coordinate of the joint where the two ends of the board meet; the board goes on from
+    // the right edge of the image to the left one.
     const int end = int(scramble(seed + std::uint64_t(board)) % kSide);
     for (int x = 0; x < kSide; ++x) {
       const bool joint = y % kBoard == 0 || x == end;

@@ -72,7 +72,7 @@ Mesh make_window_frame() {
   add_rectangle(mesh, {kWindowLeft, kLintel, kOutside}, {kWidth, 0, 0}, {0, 0, kThickness});
   add_rectangle(mesh, {kWindowLeft, kSill, kBack}, {0, 0, -kThickness}, {0, kOpening, 0});
   add_rectangle(mesh, {kWindowRight, kSill, kOutside}, {0, 0, kThickness}, {0, kOpening, 0});
-  // A cross of bars near the outer edge.
+  // The window has a cross of bars near its outer side.
   constexpr double kMiddle = (kWindowLeft + kWindowRight) / 2, kCrossbar = kSill + 0.8;
   add_box(mesh, {kMiddle - 0.025, kSill, kOutside + 0.04},
           {kMiddle + 0.025, kLintel, kOutside + 0.09});
@@ -115,7 +115,7 @@ Mesh make_shelf() {
   return mesh;
 }
 
-// Books of different heights, thicknesses and colours on the lower four boards.
+// Books of different heights, thicknesses and colours on the lower four boards of the shelf.
 Mesh make_books() {
   Mesh mesh;
   mesh.name = "books";

@@ -5,8 +5,9 @@
 
 namespace glassbox {
 
-// 6 wide, 3 high, 5 deep, facing inwards, with boards on the floor, wallpaper, a window in the far
-// wall, a table, two stools and a shelf; lit by a lamp over the table.
+// The room is 6 wide, 3 high and 5 deep, and its walls face inwards. It has boards on the floor,
+// wallpaper, a window in the far wall, a table, two stools and a shelf, and is lit by a lamp over
+// the table.
 Scene make_room();
 
 }  // namespace glassbox

@@ -17,11 +17,11 @@ namespace glassbox {
 namespace {
 
 constexpr BuiltinScene kScenes[] = {
-    {"teapot", "Newell's teapot, 32 Bezier patches at any level",
+    {"teapot", "Newell's teapot, 32 Bezier patches at any level of detail",
      LevelRange{1, kTeapotLevel, kMaxTeapotLevel}, [](int level) { return make_teapot(level); }},
     {"cube", "a cube of side 2, every face in its own colour", std::nullopt,
      [](int) { return make_cube(); }},
-    {"sphere", "a smooth ball of radius 1 at any level",
+    {"sphere", "a smooth ball of radius 1 at any level of detail",
      LevelRange{2, kSphereLevel, kMaxSphereLevel}, [](int level) { return make_sphere(level); }},
     {"forest", "150 thin trees, near and far: made for stereo", std::nullopt,
      [](int) { return make_forest(); }},
@@ -46,7 +46,8 @@ Result<int> read_level(const BuiltinScene& scene, std::string_view name_and_leve
   if (colon == std::string_view::npos) return scene.levels ? scene.levels->usual : 0;
   const std::string place(name_and_level), name(scene.name);
   if (!scene.levels) {
-    return fail(place, "the built-in scene '" + name + "' has no levels", "write '" + name + "'");
+    return fail(place, "the built-in scene '" + name + "' has no levels of detail",
+                "write '" + name + "'");
   }
   const std::string_view digits = name_and_level.substr(colon + 1);
   int level = 0;

@@ -11,7 +11,7 @@
 
 namespace glassbox {
 
-// The range of tessellation levels of a scene, as in `teapot:32`.
+// The range of tessellation levels that a scene accepts, as in `teapot:32`.
 struct LevelRange {
   int low, usual, high;
 };
@@ -36,7 +36,7 @@ std::optional<std::string_view> nearest_builtin(std::string_view name);
 // scene without levels is an error.
 Result<Scene> make_builtin(std::string_view name_and_level);
 
-// A list "teapot, cube, ..." for messages.
+// The names of all built-in scenes as a list for messages: "teapot, cube, ...".
 std::string list_builtins();
 
 }  // namespace glassbox

@@ -13,7 +13,7 @@ std::uint32_t add_position(Mesh& mesh, double x, double y, double z) {
 }
 
 std::uint32_t add_normal(Mesh& mesh, const Vector<Object, double>& direction) {
-  // A zero vector gives a zero normal, which no shape here produces and the tests would find.
+  // A zero direction would give a zero normal. No shape here passes one; the tests would find it.
   mesh.normals.push_back(unit_normal(direction).value_or(Normal<Object>()));
   return std::uint32_t(mesh.normals.size() - 1);
 }
@@ -62,7 +62,8 @@ void add_rectangle(Mesh& mesh, const std::array<double, 3>& origin, const std::a
 
 void add_box(Mesh& mesh, const std::array<double, 3>& low, const std::array<double, 3>& high,
              const std::array<std::uint32_t, 6>& colors) {
-  // Corner i: bit 0 chooses high x, bit 1 high y, bit 2 high z.
+  // Corner i is at the high end of x if bit 0 of i is set, of y if bit 1 is set, of z if bit 2 is
+  // set.
   std::array<std::uint32_t, 8> p;
   for (std::uint32_t i = 0; i < 8; ++i) {
     p[i] = add_position(mesh, (i & 1) != 0 ? high[0] : low[0], (i & 2) != 0 ? high[1] : low[1],
@@ -84,7 +85,8 @@ void add_cone(Mesh& mesh, double radius, double bottom, double top, int sides) {
   const std::uint32_t tip = add_position(mesh, 0, top, 0);
   const auto first = std::uint32_t(mesh.positions.size());
   const auto first_normal = std::uint32_t(mesh.normals.size());
-  // Twice as many normals as corners: every second one belongs to the tip.
+  // The side has twice as many normals as corners: the normals with even i belong to the corners of
+  // the bottom circle, those with odd i to the tip, which has one normal for each triangle.
   for (int i = 0; i < 2 * sides; ++i) {
     const SinCos turn = sin_cos_degrees(180.0 * i / sides);
     if (i % 2 == 0) add_position(mesh, radius * turn.sin, bottom, radius * turn.cos);

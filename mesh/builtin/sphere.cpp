@@ -7,9 +7,9 @@
 namespace glassbox {
 namespace {
 
-// Positions and normals have the same indices: the poles first, then the circles of latitude from
-// north to south. Texture coordinates are a separate grid, because the first and the last meridian
-// coincide but their u does not.
+// A point has the same index in the tables of positions and normals: the poles come first, then the
+// circles of latitude from north to south. Texture coordinates form a separate grid, because the
+// first and the last meridian coincide but have u = 0 and u = 1.
 class Ball {
 public:
   explicit Ball(int level) : stacks_(level), slices_(2 * level) {
@@ -60,7 +60,7 @@ private:
     const auto point = std::uint32_t(2 + (stack - 1) * slices_ + slice % slices_);
     return {point, point, texcoord(stack, 2 * slice), kNone};
   }
-  // At the pole, u is that of the middle of the slice.
+  // The corner at a pole; its u is that of the middle of the slice.
   Corner pole(int stack, int slice) const {
     const std::uint32_t point = stack == 0 ? 0 : 1;
     return {point, point, texcoord(stack, 2 * slice + 1), kNone};

@@ -8,9 +8,9 @@ namespace glassbox {
 inline constexpr int kSphereLevel = 32;
 inline constexpr int kMaxSphereLevel = 1024;
 
-// `level` stacks from pole to pole and 2 * level slices around, 2 .. 1024: quads, and triangles at
-// the poles. The surface is closed; texture coordinates go around from -z over -x and down from the
-// north pole.
+// Makes a ball of `level` stacks from pole to pole and 2 * level slices around, with `level` in 2
+// .. 1024. The faces are quads, and triangles at the poles; the surface is closed. The texture
+// coordinate u grows around the ball from -z over -x, v grows from the north pole down.
 Scene make_sphere(int level = kSphereLevel);
 
 }  // namespace glassbox

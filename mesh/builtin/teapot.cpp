@@ -13,21 +13,23 @@ using Vec = Vector<Object, double>;
 
 // ---- cubic Bezier curves at the fractions i/n ----
 
-// The Bernstein polynomials (1-t)^3, 3t(1-t)^2, 3t^2(1-t), t^3 from integers, so that they are
-// exactly (1, 0, 0, 0) at the start, and i/n from one end and (n-i)/n from the other give the same
-// four numbers.
+// The Bernstein polynomials (1-t)^3, 3t(1-t)^2, 3t^2(1-t) and t^3 at t = i/n. They are computed
+// from integers, so that they are exactly (1, 0, 0, 0) at t = 0, and so that t and 1 - t give the
+// same four numbers in opposite order.
 std::array<double, 4> bernstein(int i, int n) {
   const double a = n - i, b = i, whole = double(n) * n * n;
   return {a * a * a / whole, 3 * (a * a * b) / whole, 3 * (a * b * b) / whole, b * b * b / whole};
 }
 
-// The outer pair and the inner pair are added first: reversing the curve only exchanges the terms
-// within each sum, so a border has the same positions in both of its patches.
+// The outer two terms are added first, then the inner two. A curve that is run through backwards
+// only exchanges the terms within each of these sums, so two patches with a common border get the
+// same positions on it.
 Vec weighted(const std::array<double, 4>& weight, const std::array<Vec, 4>& p) {
   return (p[0] * weight[0] + p[3] * weight[3]) + (p[1] * weight[1] + p[2] * weight[2]);
 }
 
-// A third of the derivative: a quadratic curve through the differences of the control points.
+// A third of the curve's derivative at i/n: a quadratic curve whose control points are the
+// differences of neighbouring control points.
 Vec tangent(int i, int n, const std::array<Vec, 4>& p) {
   const double a = n - i, b = i, whole = double(n) * n;
   return (p[1] - p[0]) * (a * a / whole) + (p[2] - p[1]) * (2 * (a * b) / whole) +
@@ -37,12 +39,12 @@ Vec tangent(int i, int n, const std::array<Vec, 4>& p) {
 // ---- one patch ----
 
 struct Patch {
-  std::array<std::array<Vec, 4>, 4> rows;  // y up
+  std::array<std::array<Vec, 4>, 4> rows;  // in a space with y up
 
   explicit Patch(const TeapotPatch& indices) {
     for (std::size_t i = 0; i < 16; ++i) {
       const auto& p = kTeapotPoints[indices[i]];
-      rows[i / 4][i % 4] = Vec(p[0], p[2], 0 - p[1]);  // z up to y up: a quarter turn about x
+      rows[i / 4][i % 4] = Vec(p[0], p[2], 0 - p[1]);  // from z up to y up: a quarter turn about x
     }
   }
 
@@ -50,7 +52,8 @@ struct Patch {
     return rows[0][0] == rows[0][1] && rows[0][1] == rows[0][2] && rows[0][2] == rows[0][3];
   }
 
-  // The control points of the curve across the rows at u = i/n.
+  // Evaluates each row of control points at u = i/n. The results are the four control points of the
+  // curve along v.
   std::array<Vec, 4> across(int i, int n) const {
     const auto weight = bernstein(i, n);
     return {weighted(weight, rows[0]), weighted(weight, rows[1]), weighted(weight, rows[2]),
@@ -66,8 +69,8 @@ struct Patch {
     return weighted(bernstein(j, n), across(i, n));
   }
 
-  // dS/du x dS/dv. At a pole dS/du is zero, and its derivative along v, d2S/dudv, is used instead:
-  // nearby dS/du is v times that, to first order.
+  // The normal dS/du x dS/dv of the surface S(u, v). At a pole (v = 0), dS/du is zero, and d2S/dudv
+  // is used instead: near the pole dS/du is, to first order, v times that derivative.
   Vec normal(int i, int j, int n) const {
     const std::array<Vec, 4> du = tangents_across(i, n);
     const Vec along_v = tangent(j, n, across(i, n));
@@ -114,7 +117,7 @@ private:
             add_texcoord(mesh_, double(i) / n_, double(j) / n_), kNone};
   }
 
-  // Patches share the positions on their borders.
+  // Returns the index of the position p on the border of a patch. Neighbouring patches share it.
   std::uint32_t border_position(const Vec& p) {
     const std::array<float, 3> key = {float(p.x), float(p.y), float(p.z)};
     const auto [entry, is_first] = border_.try_emplace(key, 0);
@@ -133,7 +136,7 @@ private:
 
   int n_;
   Mesh mesh_;
-  std::vector<Corner> corner_;  // of the current patch
+  std::vector<Corner> corner_;  // the corners of the current patch
   std::map<std::array<float, 3>, std::uint32_t> border_;
 };
 

@@ -13,9 +13,10 @@ namespace {
 constexpr int kLeafSide = 64;  // px
 constexpr int kLeaves = 40, kTwigs = 240;
 
-// Green everywhere, so that filtering cannot mix another colour into the outline. d is the distance
-// from the midrib in half pixels; the leaf extends to 0.9 * 4 t (1 - t) of half the width, where t
-// is from 0 at its tip to 1.
+// Makes the image of a leaf, which is green even where it is transparent, so that filtering cannot
+// mix another colour into the outline. d is the distance from the midrib in half pixels, and
+// t/whole goes from 0 at the leaf's tip to 1; the leaf reaches 0.9 * 4 t/whole (1 - t/whole) of
+// half the image's width.
 Image<Rgba8> make_leaf() {
   Image<Rgba8> image(kLeafSide, kLeafSide);
   for (int y = 0; y < kLeafSide; ++y) {
@@ -36,7 +37,7 @@ double random_side(std::uint64_t seed, std::uint64_t index) {
   return 2 * random_unit(seed, index) - 1;
 }
 
-// Leaves around a stem of length 1, each with a different slant.
+// Makes leaves around a stem of length 1, each with a different slant.
 Mesh make_twig(std::uint32_t material) {
   Mesh mesh;
   mesh.name = "twig";

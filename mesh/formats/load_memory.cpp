@@ -27,9 +27,10 @@ std::optional<SceneFormat> format_of(std::span<const std::byte> bytes) {
 Result<Scene> load_scene_memory(std::span<const std::byte> bytes, const LoadLimits& limits) {
   if (bytes.empty()) return fail("", "the input is empty", "give a glTF, GLB, OBJ or PLY file");
   if (bytes.size() > limits.max_file_bytes) {
-    return fail("",
-                "has more than the limit of " + std::to_string(limits.max_file_bytes) + " bytes",
-                "raise the limit if the file can be trusted");
+    return fail(
+        "",
+        "has more than " + std::to_string(limits.max_file_bytes) + " bytes, the most that is read",
+        "use a smaller file (in the library: LoadLimits::max_file_bytes)");
   }
   const std::optional<SceneFormat> format = format_of(bytes);
   if (!format) {

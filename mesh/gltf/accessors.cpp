@@ -28,8 +28,8 @@ std::size_t component_bytes(int component_type) {
   }
 }
 
-// The distance between elements where the view does not give one. Columns of matrices start at
-// multiples of four bytes, and so do the elements.
+// The distance between the starts of two elements, if the buffer view does not give it. Every
+// column of a matrix starts at a multiple of four bytes, and so does every matrix.
 std::size_t element_bytes(const tinygltf::Accessor& accessor) {
   const std::size_t size = component_bytes(accessor.componentType);
   const auto padded = [](std::size_t bytes) { return (bytes + 3) / 4 * 4; };
@@ -68,8 +68,8 @@ std::size_t stride_bytes(const Asset& asset, const tinygltf::Accessor& accessor)
   return stride == 0 ? element_bytes(accessor) : stride;
 }
 
-// Whether `count` elements at the distance `stride`, the last of them `last` bytes long, fit after
-// `offset`. Nothing here can overflow: the count is below 2^32, the stride below 2^8.
+// Whether `count` elements fit after `offset`, if they start `stride` bytes apart and the last is
+// `last` bytes long. Nothing here can overflow: `count` is below 2^32, `stride` below 2^8.
 bool fits(std::uint64_t available, std::uint64_t offset, std::uint64_t count, std::uint64_t stride,
           std::uint64_t last) {
   if (count == 0) return true;
@@ -85,7 +85,7 @@ Result<void> check_elements(const Asset& asset, std::size_t index) {
   if (accessor.bufferView < 0) {
     if (accessor.count > asset.bytes) {
       return refuse(index, "has " + std::to_string(accessor.count) +
-                               " elements without data in a file of " +
+                               " elements without data, too many for a file of " +
                                std::to_string(asset.bytes) + " bytes");
     }
     return {};
@@ -94,7 +94,7 @@ Result<void> check_elements(const Asset& asset, std::size_t index) {
   const std::size_t stride = stride_bytes(asset, accessor);
   if (stride < element_bytes(accessor)) {
     return refuse(index, "has elements of " + std::to_string(element_bytes(accessor)) +
-                             " bytes, only " + std::to_string(stride) + " bytes apart");
+                             " bytes that begin only " + std::to_string(stride) + " bytes apart");
   }
   if (!fits(view.byteLength, accessor.byteOffset, accessor.count, stride,
             last_element_bytes(accessor))) {
@@ -118,22 +118,25 @@ Result<void> check_sparse(const Asset& asset, std::size_t index) {
   const auto& views = asset.model.bufferViews;
   const std::uint64_t count = std::uint64_t(sparse.count);
   const std::uint64_t index_bytes = component_bytes(type);
-  if (count > accessor.count) return refuse(index, "replaces more elements than it has");
+  if (count > accessor.count) {
+    return refuse(index, "its sparse part replaces " + std::to_string(count) +
+                             " elements, but it has only " + std::to_string(accessor.count));
+  }
   if (!fits(views[std::size_t(sparse.indices.bufferView)].byteLength,
             std::uint64_t(sparse.indices.byteOffset), count, index_bytes, index_bytes)) {
-    return refuse(index, "its sparse indices reach beyond " +
+    return refuse(index, "its sparse indices reach beyond the end of " +
                              entry("bufferView", std::size_t(sparse.indices.bufferView)));
   }
   if (!fits(views[std::size_t(sparse.values.bufferView)].byteLength,
             std::uint64_t(sparse.values.byteOffset), count, element_bytes(accessor),
             last_element_bytes(accessor))) {
-    return refuse(index, "its sparse values reach beyond " +
+    return refuse(index, "its sparse values reach beyond the end of " +
                              entry("bufferView", std::size_t(sparse.values.bufferView)));
   }
   return {};
 }
 
-// Calls `use` with a value of the C++ type of the component type.
+// Calls `use` with a value of the C++ type that belongs to glTF's code `component_type`.
 template <class Use>
 void with_component(int component_type, Use use) {
   switch (component_type) {
@@ -163,7 +166,7 @@ T load(std::span<const std::byte> bytes, std::size_t at) {
   return value;
 }
 
-// Copies `count` elements at the distance `stride` from `bytes` to the places given by `target(i)`.
+// Copies `count` elements that start `stride` bytes apart from `bytes` to the places `target(i)`.
 template <class Number, class Target>
 void copy_elements(const tinygltf::Accessor& accessor, std::span<const std::byte> bytes,
                    std::size_t offset, std::size_t stride, std::size_t count, Target target) {
@@ -174,7 +177,8 @@ void copy_elements(const tinygltf::Accessor& accessor, std::span<const std::byte
       Number* const out = target(i);
       for (std::size_t c = 0; c < width; ++c) {
         const Component raw = load<Component>(bytes, offset + i * stride + c * sizeof(Component));
-        // Indices are read only from unsigned components.
+        // Indices are read only from unsigned components, so a signed char cannot get here as an
+        // index.
         // NOLINTNEXTLINE(bugprone-signed-char-misuse)
         out[c] = static_cast<Number>(raw);
         if constexpr (std::is_integral_v<Component> && std::is_floating_point_v<Number>) {
@@ -186,8 +190,8 @@ void copy_elements(const tinygltf::Accessor& accessor, std::span<const std::byte
   });
 }
 
-// The indices of the elements that a sparse accessor replaces: strictly ascending, and below its
-// count.
+// The indices of the elements that a sparse accessor replaces. They must be strictly ascending and
+// below the accessor's count.
 Result<std::vector<std::uint32_t>> sparse_indices(const Asset& asset, std::size_t index) {
   const tinygltf::Accessor& accessor = asset.model.accessors[index];
   const auto bytes = view_bytes(asset, std::size_t(accessor.sparse.indices.bufferView));
@@ -203,8 +207,8 @@ Result<std::vector<std::uint32_t>> sparse_indices(const Asset& asset, std::size_
   for (std::size_t i = 0; i < indices.size(); ++i) {
     if (indices[i] >= accessor.count) {
       return refuse(index, "sparse index " + std::to_string(i) + " is " +
-                               std::to_string(indices[i]) + " of " +
-                               std::to_string(accessor.count));
+                               std::to_string(indices[i]) + ", but the accessor has only " +
+                               std::to_string(accessor.count) + " elements");
     }
     if (i > 0 && indices[i] <= indices[i - 1]) {
       return refuse(index,

@@ -20,8 +20,9 @@ Result<void> check_accessors(const Asset& asset);
 std::size_t components(const tinygltf::Accessor& accessor);
 
 // Returns the elements one after the other as double, which represents every component type
-// exactly. Normalised integers become c / max, at least -1 (glTF 2.0, section 3.6.2.2). Sparse
-// accessors are resolved. Not for matrices of bytes or shorts, whose columns are padded.
+// exactly. Normalised integers c become c / max, at least -1, where max is the type's largest
+// number (glTF 2.0, section 3.6.2.2). Sparse accessors are resolved. Do not use it for matrices of
+// bytes or shorts, whose columns are padded.
 Result<std::vector<double>> read_numbers(const Asset& asset, std::size_t accessor);
 
 // Returns the elements of an accessor of unsigned integers.

@@ -50,12 +50,12 @@ Result<void> check_extensions(Asset& asset, const std::map<std::string, std::uin
       if (asset.extensions.size() >= kMaxWarnings) {
         return fail("extensionsUsed",
                     "names more than " + std::to_string(kMaxWarnings) + " extensions",
-                    "remove what is not used");
+                    "remove the extensions that are not used");
       }
       asset.extensions.push_back(printable(name));
     }
   }
-  // Extensions that the file uses but does not list.
+  // Also warn of extensions that the file uses without listing them.
   for (const auto& [name, places] : found) {
     const bool listed =
         std::ranges::find(asset.extensions, printable(name)) != asset.extensions.end();
@@ -81,13 +81,14 @@ Result<void> read_buffers(Asset& asset, std::optional<std::span<const std::byte>
     const std::uint64_t length = asset.document["buffers"][i]["byteLength"];
     if (*data && (*data)->size() < length) {
       return fail(entry("buffer", i),
-                  "says " + std::to_string(length) + " bytes where there are " +
+                  "says " + std::to_string(length) + " bytes (byteLength), but there are only " +
                       std::to_string((*data)->size()),
                   "the file is cut short or damaged: export it again");
     }
-    // A GLB chunk is padded to a multiple of four bytes.
+    // More data than the padding of a GLB chunk to a multiple of four bytes is worth a warning.
     if (*data && (*data)->size() > length + 3)
-      asset.warn(entry("buffer", i) + " has more data than it says");
+      asset.warn(entry("buffer", i) +
+                 " has more bytes than its byteLength says; the rest is not used");
     asset.buffers.push_back(std::move(*data));
   }
   return {};
@@ -108,14 +109,14 @@ Result<void> check_buffer_views(const Asset& asset) {
   return {};
 }
 
-// tinygltf gets only text, from the checked document instead of the file itself: it would read
+// tinygltf reads only text made from the checked document, not the file itself: it would read
 // buffers by its own rules, decode images without a limit, and keep animations and extensions that
 // nothing here draws.
 Result<void> parse_model(Asset& asset) {
   json document = asset.document;
   for (const char* kept_here : {"buffers", "images", "animations"}) document.erase(kept_here);
-  // tinygltf refuses indices without a buffer view, which glTF allows (they are 0, or sparse). So
-  // these get a view while it reads.
+  // tinygltf refuses accessors without a buffer view, which glTF allows (their elements are 0, or
+  // sparse). So these accessors get a view while tinygltf reads.
   json& views = document["bufferViews"];
   const int stand_in = int(views.size());
   views.push_back({{"buffer", 0}, {"byteLength", 1}});
@@ -183,7 +184,8 @@ Result<Asset> open_asset(std::span<const std::byte> bytes, const std::string& di
   Result<Container> container = open_container(bytes);
   if (!container) return tl::unexpected(container.error());
   if (container->json.size() > kMaxJsonBytes) {
-    return fail("JSON", "has more than 512 MB", "keep the data in a buffer instead of in the text");
+    return fail("JSON", "has more than 512 MB",
+                "keep the data in a binary buffer, not in the text");
   }
   Result<Document> document = read_document(container->json);
   if (!document) return tl::unexpected(document.error());
@@ -223,8 +225,9 @@ Result<std::span<const std::byte>> view_bytes(const Asset& asset, std::size_t bu
   const tinygltf::BufferView& view = asset.model.bufferViews[buffer_view];
   const auto& buffer = asset.buffers[std::size_t(view.buffer)];
   if (!buffer) {
-    return fail(entry("buffer", std::size_t(view.buffer)), "has no data in this file",
-                "put the file with the data beside it and name it in the buffer's 'uri'");
+    return fail(
+        entry("buffer", std::size_t(view.buffer)), "has no data in this file",
+        "put a file with the data beside the scene and name that file in the buffer's 'uri'");
   }
   return std::span<const std::byte>(*buffer).subspan(view.byteOffset, view.byteLength);
 }

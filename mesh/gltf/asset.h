@@ -21,11 +21,12 @@ struct Asset {
   // Every index refers to an entry that exists (schema.h). Buffers and images are not in the model.
   tinygltf::Model model = {};
   nlohmann::json document;  // the checked document; for extensions, extras and images
-  // Null: a buffer for which the file has no data.
+  // The data of each buffer; null if the file has no data for it.
   std::vector<std::shared_ptr<const Bytes>> buffers = {};
   Resources resources;
   LoadLimits limits;
-  std::uint64_t bytes = 0;  // of the file and the buffers; memory use is kept proportional to it
+  // The size of the file and its buffers; memory use is kept proportional to it.
+  std::uint64_t bytes = 0;
   std::vector<std::string> extensions = {};
 
   // A warning about many places, stated in one sentence.
@@ -38,7 +39,7 @@ struct Asset {
 
   // Whether the file lists the extension as used or required.
   bool uses(const std::string& extension) const;
-  void warn(std::string text);  // the same warning is kept once
+  void warn(std::string text);  // identical warnings are kept once
   // Adds the warning "PLACE and 4 more: TEXT", where {} in the text is replaced by the sum of the
   // amounts.
   void warn_at(const std::string& place, const std::string& text, std::uint64_t amount = 0);

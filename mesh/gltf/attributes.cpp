@@ -8,7 +8,7 @@
 namespace glassbox::gltf {
 namespace {
 
-// The component types of glTF, and whether the values are normalised.
+// The component type of an accessor, and whether its values are normalised.
 struct Form {
   bool is_byte, is_ubyte, is_short, is_ushort, is_uint, is_float, normalized;
 
@@ -22,7 +22,8 @@ struct Form {
         normalized(a.normalized) {}
 };
 
-// The allowed forms: glTF 2.0, section 3.7.2.1, and the tables of KHR_mesh_quantization.
+// Whether the accessor's form is allowed for this use (glTF 2.0, section 3.7.2.1, and the tables of
+// KHR_mesh_quantization).
 bool is_allowed(const tinygltf::Accessor& accessor, Semantic semantic, bool quantized) {
   const Form f(accessor);
   const bool small = f.is_byte || f.is_ubyte || f.is_short || f.is_ushort;

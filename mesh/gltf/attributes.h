@@ -1,4 +1,5 @@
-// Vertex attributes of a primitive: the forms that each may have, and their numbers.
+// Vertex attributes of a primitive: the accessor types that each attribute may have, and its
+// numbers.
 #pragma once
 
 #include <cstddef>

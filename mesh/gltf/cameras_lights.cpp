@@ -14,14 +14,14 @@ using Direction = Vector<World, double>;
 
 // Lengths and angles that differ from exact ones only by the rounding of sums of three products are
 // taken as exact, so that a rigid pose and a unit direction keep all their bits. 64 roundings of
-// 2^-53 are 2^-47.
+// 2^-53 add up to 2^-47; the tolerance is twice that.
 constexpr double kRigidTolerance = 0x1p-46;
 
 Direction column(const Transform<World, Object>& m, int i) {
   return {m.at(0, i), m.at(1, i), m.at(2, i)};
 }
 
-// Divides by the largest component's size first, so that no square overflows or vanishes.
+// Divides v by its largest component first, so that no square overflows or vanishes.
 std::optional<Direction> normalized(const Direction& v) {
   const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
@@ -41,7 +41,8 @@ bool is_rigid(const Transform<World, Object>& m) {
          dot(cross(x, y), z) > 0;
 }
 
-// Keeps the gaze (-z); up becomes the part of the y axis that is perpendicular to it.
+// Makes the node's transform rigid: the direction of view (-z) is kept, and up becomes the part of
+// the y axis that is perpendicular to it.
 Result<Transform<World, Eye>> rigid_pose(const Transform<World, Object>& node, std::size_t index) {
   Transform<World, Eye> pose(node.columns);
   if (is_rigid(node)) return pose;
@@ -88,15 +89,17 @@ Result<Lens> perspective(const Asset& asset, std::size_t index) {
   return lens;
 }
 
-// xmag is half the width in world units. The viewport's aspect ratio determines the width here, as
-// for perspective cameras, so xmag is only checked.
+// An orthographic lens from ymag, half the height of the view. xmag is half the width in world
+// units; here the viewport's aspect ratio determines the width, as for perspective cameras, so xmag
+// is only checked.
 Result<Lens> orthographic(const Asset& asset, std::size_t index) {
   const tinygltf::OrthographicCamera& camera = asset.model.cameras[index].orthographic;
   if (camera.xmag == 0 || !(camera.ymag > 0))
-    return refuse_camera(index, "its magnification is not greater than zero");
+    return refuse_camera(
+        index, "its half width (xmag) is zero, or its half height (ymag) is not greater than zero");
   if (!(camera.znear >= 0 && camera.zfar > camera.znear)) {
     return refuse_camera(
-        index, "its far plane is not behind the near plane, or the near plane behind the eye");
+        index, "its far plane is not behind the near plane, or the near plane is behind the eye");
   }
   return OrthographicLens{camera.ymag, camera.znear, camera.zfar};
 }

@@ -42,12 +42,12 @@ Result<Container> open_container(std::span<const std::byte> bytes) {
   const std::uint32_t version = little_endian(bytes, 4);
   if (version != 2) {
     return fail("GLB header", "says version " + std::to_string(version),
-                "only version 2 can be read: convert the file");
+                "only version 2 can be read: convert the file to glTF 2");
   }
   const std::size_t length = little_endian(bytes, 8);
   if (length > bytes.size()) {
-    return damaged("GLB header", "says " + std::to_string(length) + " bytes where the file has " +
-                                     std::to_string(bytes.size()));
+    return damaged("GLB header", "says that the file has " + std::to_string(length) +
+                                     " bytes, but it has only " + std::to_string(bytes.size()));
   }
   if (length < bytes.size())
     container.warnings.push_back("bytes after the end of the GLB were ignored");
@@ -61,7 +61,7 @@ Result<Container> open_container(std::span<const std::byte> bytes) {
     const std::uint32_t type = little_endian(bytes, at + 4);
     at += kChunkHeaderBytes;
     if (size > length - at) {
-      return damaged(place, "says " + std::to_string(size) + " bytes where " +
+      return damaged(place, "says that it has " + std::to_string(size) + " bytes, but only " +
                                 std::to_string(length - at) + " are left");
     }
     const std::span<const std::byte> data = bytes.subspan(at, size);
@@ -75,10 +75,11 @@ Result<Container> open_container(std::span<const std::byte> bytes) {
       container.binary = data;
     } else if (type == kBinary) {
       return damaged(place, "is binary data, which may only be the second chunk");
-    }  // The specification says that chunks of other types are skipped.
+    }
+    // Chunks of other types are skipped, as the specification says.
     at += size;
   }
-  if (!has_json) return damaged("GLB header", "no chunk follows");
+  if (!has_json) return damaged("GLB header", "no chunk with data follows");
   return container;
 }
 

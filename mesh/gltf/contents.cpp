@@ -35,7 +35,7 @@ GltfContents::TextureUse& use_of(GltfContents::Texture& texture, const std::stri
 struct MaterialTextures {
   const tinygltf::Material& described;
   const json& material;
-  const json& textures;  // of the file
+  const json& textures;  // the textures of the file
   bool drawn;            // whether the drawn scene uses the material
   GltfContents& contents;
 
@@ -77,7 +77,7 @@ void list_textures(Asset& asset, const std::vector<bool>& used, GltfContents& co
   }
 }
 
-// ---- the others ----
+// ---- primitives, animations and skins ----
 
 void list_primitives(const Asset& asset, GltfContents& contents) {
   const auto& meshes = asset.model.meshes;

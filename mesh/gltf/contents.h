@@ -37,7 +37,7 @@ struct GltfContents {
   };
   struct Texture {
     std::string name;
-    // px; 0 where the file does not give the size, or has no such image.
+    // The size in pixels; 0 if the file does not give the size or has no such image.
     std::uint32_t width = 0, height = 0;
     std::vector<TextureUse> uses;
   };

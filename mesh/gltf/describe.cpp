@@ -22,7 +22,8 @@ int minify_code(const Sampler& sampler) {
   return std::ranges::find_if(kMinifyCodes, same)->code;
 }
 
-// glTF's emissive factors are at most 1; brighter emission is given by a strength.
+// glTF's emissive factors are at most 1; brighter emission needs a separate strength (the extension
+// KHR_materials_emissive_strength).
 void describe_emission(const Material& material, json& described) {
   const std::array<float, 3>& e = material.emission;
   const double strength = std::max({1.0, double(e[0]), double(e[1]), double(e[2])});

@@ -42,8 +42,10 @@ public:
     for (std::size_t i = 0; i < asset_.model.meshes[mesh].primitives.size(); ++i) {
       if (!instances_.take(1)) {
         return fail(entry("node", node),
-                    "the nodes draw more primitives than the size of the file allows",
-                    "join the primitives of each mesh");
+                    "all nodes together draw more than " + std::to_string(instances_.size()) +
+                        " primitives, the most for a file of " + std::to_string(asset_.bytes) +
+                        " bytes",
+                    "join the primitives of each mesh into one");
       }
       const auto index = add_mesh(node, {mesh, i});
       if (!index) return tl::unexpected(index.error());
@@ -51,9 +53,10 @@ public:
       const Mesh& made = scene_.meshes[**index];
       if (!instancing_.take(made.corners.size() + 2 * made.lines.size() + made.points.size())) {
         return fail(entry("node", node),
-                    "the meshes of all nodes together have more corners than the limit of " +
-                        std::to_string(asset_.limits.max_corners),
-                    "raise the limit if the file can be trusted");
+                    "the meshes of all nodes together have more than " +
+                        std::to_string(asset_.limits.max_corners) +
+                        " corners, the most that are read",
+                    "draw fewer or smaller meshes (in the library: LoadLimits::max_corners)");
       }
       // A skinned mesh is placed by its joints; its node's transform is ignored (glTF 2.0, section
       // 3.7.3.3).
@@ -63,13 +66,15 @@ public:
   }
 
 private:
-  // Legal files share data: a hundred spheres with the same accessors make ten corners from each
-  // byte. An element of a mesh takes up to 48 bytes of memory, an instance eight.
+  // A scene may have kFreeElements in any case, and kElementsPerByte more for each byte of the
+  // file. Legal files share data: a hundred spheres with the same accessors make ten corners from
+  // each byte. An element of a mesh takes up to 48 bytes of memory, an instance eight.
   static constexpr std::uint64_t kFreeElements = std::uint64_t(1) << 22;
   static constexpr std::uint64_t kElementsPerByte = 16;
   static constexpr std::uint64_t kFreeInstances = std::uint64_t(1) << 20;
 
-  // mesh, primitive, skin or -1, and the weights of morph targets where the node has its own
+  // What determines a mesh: the mesh and the primitive in the file, the skin (-1 if none), and the
+  // weights of morph targets if the node has its own.
   using Key = std::tuple<std::size_t, std::size_t, int, std::vector<double>>;
 
   Result<std::vector<double>> weights_of(std::uint32_t node, PrimitiveId id) const {
@@ -130,7 +135,7 @@ private:
   const NodeTree& tree_;
   const Materials& materials_;
   Scene& scene_;
-  std::vector<std::optional<JointMatrices>> joints_;  // by skin
+  std::vector<std::optional<JointMatrices>> joints_;  // by the index of the skin
   std::map<Key, std::optional<std::uint32_t>> known_;
   std::optional<std::uint32_t> identity_;
   Budget building_;

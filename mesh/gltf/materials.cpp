@@ -19,8 +19,8 @@ using nlohmann::json;
 // Blinn-Phong without a Fresnel term looks dull with this value, so 0.2 is used for dielectrics.
 constexpr double kDielectricSpecular = 0.2;
 
-// The exponent whose highlight is about as wide as that of a GGX lobe of the same roughness:
-// 2/alpha^2 - 2 with alpha = roughness^2.
+// The Blinn-Phong exponent whose highlight is about as wide as that of the GGX reflection model
+// with the same roughness: 2/alpha^2 - 2 with alpha = roughness^2.
 int shininess_of(double roughness) {
   const double r = std::max(roughness, 0.1);
   const double exponent = std::floor(2 / ((r * r) * (r * r)) - 2 + 0.5);
@@ -97,7 +97,7 @@ TexCoordTransform read_transform(const json& described) {
   const SinCos turn = sin_cos(described.value("rotation", 0.0));
   const double u_scale = scale[0], v_scale = scale[1];
   TexCoordTransform transform;
-  // Counter-clockwise on the displayed image, where v is downwards.
+  // The rotation is counter-clockwise on the displayed image, where v points down.
   transform.matrix[0][0] = turn.cos * u_scale;
   transform.matrix[0][1] = turn.sin * v_scale;
   transform.matrix[0][2] = offset[0];
@@ -132,7 +132,7 @@ Result<Wrap> wrap_of(int code, std::size_t sampler) {
   const auto known = std::ranges::find(kWrapCodes, code, &WrapCode::code);
   if (known != std::end(kWrapCodes)) return known->wrap;
   return fail(entry("sampler", sampler), "has the unknown wrap mode " + std::to_string(code),
-              "use 10497, 33071 or 33648");
+              "use 10497 (repeat), 33071 (clamp to edge) or 33648 (mirrored repeat)");
 }
 
 Result<Sampler> convert_sampler(const tinygltf::Sampler& described, std::size_t index) {
@@ -144,12 +144,13 @@ Result<Sampler> convert_sampler(const tinygltf::Sampler& described, std::size_t 
   sampler.wrap_u = *wrap_u;
   sampler.wrap_v = *wrap_v;
   if (described.magFilter == kNearestCode) sampler.magnify = Filter::kNearest;
-  if (described.minFilter == -1) return sampler;  // none given: use the best one
+  // A sampler without a minification filter gets the best one.
+  if (described.minFilter == -1) return sampler;
   const auto known = std::ranges::find(kMinifyCodes, described.minFilter, &MinifyCode::code);
   if (known == std::end(kMinifyCodes)) {
     return fail(entry("sampler", index),
                 "has the unknown filter " + std::to_string(described.minFilter),
-                "use 9728, 9729 or 9984 to 9987");
+                "use 9728 (nearest), 9729 (linear), or 9984 to 9987 (with mipmaps)");
   }
   sampler.minify = known->filter;
   sampler.mip = known->mip;
@@ -199,7 +200,8 @@ private:
   Scene& scene_;
   ImageTable images_;
   std::vector<std::optional<std::uint32_t>> known_;
-  std::vector<bool> reported_;  // textures without an image that have been reported
+  // Textures without an image for which a warning was given.
+  std::vector<bool> reported_;
 };
 
 // The texture that a material of the file names, and its coordinates; nothing where it cannot be
@@ -220,8 +222,8 @@ Result<NamedTexture> named_texture(const json& info, std::size_t material, Textu
   return named;
 }
 
-// If the texture cannot be read there is no emission, because otherwise all of the surface would
-// glow.
+// If the emission texture cannot be read, the material gets no emission, because otherwise the
+// whole surface would glow.
 Result<void> add_emission_texture(Asset& asset, const json& info, std::size_t index,
                                   TextureTable& textures, Material& material,
                                   TexCoordSource& source) {
@@ -230,9 +232,10 @@ Result<void> add_emission_texture(Asset& asset, const json& info, std::size_t in
   if (!named->texture || (source.textured && source != named->texcoords)) {
     material.emission = {};
     if (named->texture) {
-      asset.warn_at(entry("material", index),
-                    "its emission was left out: its texture has other coordinates than that of the "
-                    "base colour");
+      asset.warn_at(
+          entry("material", index),
+          "its emission was left out: the emission's texture has other texture coordinates "
+          "than the base colour's");
     }
     return {};
   }

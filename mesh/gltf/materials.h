@@ -20,7 +20,7 @@ struct TexCoordTransform {
 
 // How a mesh computes its texture coordinates for a material.
 struct TexCoordSource {
-  std::uint32_t set = 0;  // TEXCOORD_set
+  std::uint32_t set = 0;  // the N of TEXCOORD_N
   std::optional<TexCoordTransform> transform;
   bool textured = false;
   friend bool operator==(const TexCoordSource&, const TexCoordSource&) = default;
@@ -29,9 +29,9 @@ struct TexCoordSource {
 // For each material of the file, whether the scene that is drawn uses it.
 std::vector<bool> used_materials(const Asset& asset, const NodeTree& tree);
 
-// Whether a drawn material of the file shows its emissive texture, if that has an image. This
-// depends on what the material says about its emission, and on which texture coordinates
-// convert_materials chooses. `textures` are the file's.
+// Whether a drawn material of the file shows its emissive texture, provided that the texture has an
+// image. This depends on what the material says about its emission, and on which texture
+// coordinates convert_materials chooses. `textures` are the file's.
 bool shows_emission_texture(const tinygltf::Material& described, const nlohmann::json& document,
                             const nlohmann::json& textures);
 

@@ -37,7 +37,7 @@ void warn_about_textures(Asset& asset, const std::vector<bool>& used) {
   };
   name(normal, "normal", "");
   name(occlusion, "occlusion", "");
-  name(metallic, "metallic-roughness", "; their factors are");
+  name(metallic, "metallic-roughness", "; the materials' metallic and roughness factors are");
 }
 
 // ---- vertex attributes ----
@@ -65,7 +65,7 @@ void find_unread(const tinygltf::Primitive& primitive, std::uint32_t texcoord_se
 }
 
 void warn_about_attributes(Asset& asset, const NodeTree& tree, const Materials& materials) {
-  std::map<int, bool> skinned;  // by mesh, for drawn meshes
+  std::map<int, bool> skinned;  // for each drawn mesh, whether it is drawn with a skin
   for (const std::uint32_t node : tree.drawn) {
     const tinygltf::Node& described = asset.model.nodes[node];
     if (described.mesh < 0) continue;
@@ -92,7 +92,7 @@ void warn_about_attributes(Asset& asset, const NodeTree& tree, const Materials& 
   if (count > 0) asset.warn("vertex attributes are not drawn: " + named);
 }
 
-// ---- what moves ----
+// ---- animations and skins ----
 
 void warn_about_animations_and_skins(Asset& asset, const NodeTree& tree) {
   const std::size_t animations = asset.document.value("animations", json::array()).size();
@@ -112,7 +112,7 @@ void warn_about_animations_and_skins(Asset& asset, const NodeTree& tree) {
   }
 }
 
-// ---- what stands elsewhere ----
+// ---- what is outside the drawn scene ----
 
 // The index of the light of a node, or -1.
 int light_of(const json& node) {
@@ -161,7 +161,7 @@ void warn_about_unused_entries(Asset& asset, const NodeTree& tree) {
   if (!named.empty()) asset.warn("in the file, but not in the scene that is drawn: " + named);
 }
 
-// Pictures use the first camera if none is requested.
+// A picture shows the first camera if no other one is requested.
 void warn_about_cameras(Asset& asset, const NodeTree& tree) {
   const auto cameras = std::ranges::count_if(
       tree.drawn, [&](std::uint32_t node) { return asset.model.nodes[node].camera >= 0; });

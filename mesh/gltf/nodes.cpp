@@ -30,8 +30,8 @@ Result<Matrix> from_matrix(const std::vector<double>& numbers, std::size_t index
   return matrix;
 }
 
-// translation * rotation * scale. The quaternion should be a unit quaternion; the factor 2/|q|^2
-// makes a rotation from any other one too, without a square root.
+// The matrix translation * rotation * scale of a node. The quaternion q should have length 1; the
+// factor 2/|q|^2 makes a rotation from any other quaternion, too, without a square root.
 Result<Matrix> from_trs(const tinygltf::Node& node, std::size_t index) {
   const auto get = [](const std::vector<double>& v, std::size_t i, double otherwise) {
     return v.empty() ? otherwise : v[i];
@@ -144,7 +144,7 @@ Result<NodeTree> place_nodes(const Asset& asset, Scene& scene) {
   tree.world_from_node.resize(nodes.size());
   tree.scene_index.assign(nodes.size(), kNone);
   std::vector<Matrix> own(nodes.size());
-  std::vector<std::uint32_t> depth(nodes.size(), 0);  // 0: not reached
+  std::vector<std::uint32_t> depth(nodes.size(), 0);  // 0 for a node that was not reached
   for (const std::uint32_t node : walk(asset, all_roots)) {
     const std::uint32_t parent = (*parents)[node];
     depth[node] = parent == kNone ? 1 : depth[parent] + 1;
@@ -152,7 +152,7 @@ Result<NodeTree> place_nodes(const Asset& asset, Scene& scene) {
       return fail(
           entry("node", node),
           "is nested deeper than " + std::to_string(asset.limits.max_node_depth) + " levels",
-          "flatten the hierarchy, or raise the limit if the file can be trusted");
+          "use fewer levels of nodes (in the library: LoadLimits::max_node_depth)");
     }
     const auto matrix = nodes[node].matrix.empty() ? from_trs(nodes[node], node)
                                                    : from_matrix(nodes[node].matrix, node);

@@ -19,8 +19,8 @@ struct NodeTree {
   std::vector<std::uint32_t> scene_index;
 };
 
-// The transform to the world of a child of a node: inside the node, the node's space is used like
-// world space.
+// Returns world_from_child. The type of `node_from_child` says World for the space of the node,
+// because there is no type for that space.
 inline Transform<World, Object> compose(const Transform<World, Object>& world_from_node,
                                         const Transform<World, Object>& node_from_child) {
   return Transform<World, World>(world_from_node.columns) * node_from_child;

@@ -11,8 +11,9 @@
 namespace glassbox::gltf {
 namespace {
 
-// Normals whose length differs from 1 by no more than rounding to float causes (3 components, each
-// within 2^-24 relative: |n|^2 within 2^-22) are kept bit by bit.
+// Normals are kept bit by bit if their length differs from 1 by no more than rounding to float can
+// cause. Each component has a relative error of at most 2^-24, so |n|^2 has one of 2^-23; the
+// tolerance is four times as large.
 constexpr double kUnitTolerance = 0x1p-21;
 
 std::string place_of(const Asset& asset, PrimitiveId id) {
@@ -47,7 +48,8 @@ bool is_compressed(const Asset& asset, PrimitiveId id) {
 
 // ---- vertices ----
 
-// The positions and normals before they are rounded, after morphing and skinning.
+// Reads the positions and normals, with morph targets and skin applied, before they are rounded to
+// float.
 Result<Vertices> read_vertices(Asset& asset, const tinygltf::Primitive& primitive,
                                const Attributes& attributes, const std::string& place,
                                std::size_t count, const Pose& pose, Budget& budget) {
@@ -62,8 +64,10 @@ Result<Vertices> read_vertices(Asset& asset, const tinygltf::Primitive& primitiv
   for (std::size_t i = 0; i < pose.weights.size() && i < primitive.targets.size(); ++i) {
     if (pose.weights[i] == 0) continue;
     if (!budget.take(count)) {
-      return fail(place, "its morph targets need more work than the file's size allows",
-                  "bake the targets into the mesh");
+      return fail(place,
+                  "its morph targets move too many vertices for a file of " +
+                      std::to_string(asset.bytes) + " bytes",
+                  "apply the morph targets to the mesh and export it without them");
     }
     const Attributes deltas(asset, primitive.targets[i], place + ", target " + std::to_string(i),
                             count);
@@ -110,8 +114,8 @@ Result<void> set_positions(Mesh& mesh, const Vertices& vertices, const std::stri
   return {};
 }
 
-// Sets unit normals. A vertex whose normal has no direction has an unused entry; its corners are
-// shaded flat.
+// Sets the mesh's unit normals. Returns for each one whether it is usable: a normal without
+// direction gets an entry that is not used, and its corners are shaded flat.
 std::vector<bool> set_normals(Asset& asset, Mesh& mesh, const Vertices& vertices,
                               const std::string& place) {
   std::vector<bool> usable;
@@ -120,8 +124,8 @@ std::vector<bool> set_normals(Asset& asset, Mesh& mesh, const Vertices& vertices
   for (std::size_t i = 0; i < vertices.normals.size() / 3; ++i) {
     const double* n = vertices.normals.data() + i * 3;
     const double squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    // Squares of floats neither overflow nor vanish in double, but morphed and skinned numbers
-    // could.
+    // The squares of the file's floats neither overflow nor vanish in double, but those of morphed
+    // or skinned normals could.
     const bool good = squared > 0x1p-1000 && std::isfinite(squared);
     const double length = std::abs(squared - 1) <= kUnitTolerance ? 1 : std::sqrt(squared);
     usable.push_back(good);
@@ -204,12 +208,14 @@ Result<std::vector<std::uint32_t>> vertex_order(const Asset& asset,
     const std::uint32_t vertex = (*read)[i];
     if (vertex == restart) {
       return fail(where + ", element " + std::to_string(i),
-                  "is the primitive restart value, which glTF forbids",
+                  "is " + std::to_string(vertex) +
+                      ", which means a primitive restart and is forbidden in glTF",
                   "write separate primitives");
     }
     if (vertex >= count) {
       return fail(where + ", element " + std::to_string(i),
-                  "names vertex " + std::to_string(vertex) + " of " + std::to_string(count),
+                  "names vertex " + std::to_string(vertex) + ", but the primitive has only " +
+                      std::to_string(count) + " (numbers start at 0)",
                   "export the file again");
     }
   }
@@ -223,7 +229,9 @@ void connect(Asset& asset, Mesh& mesh, int mode, std::size_t n, const CornerOf& 
              const std::string& place) {
   const auto leftover = [&](std::size_t per_shape) {
     if (n % per_shape != 0)
-      asset.warn_at(place, "{} vertices at its end are left over", n % per_shape);
+      asset.warn_at(place,
+                    "{} vertices at its end are too few for a triangle or line and were left out",
+                    n % per_shape);
   };
   const auto add_line = [&](std::size_t a, std::size_t b) {
     mesh.lines.push_back({corner(a), corner(b)});
@@ -256,7 +264,8 @@ void connect(Asset& asset, Mesh& mesh, int mode, std::size_t n, const CornerOf& 
       break;
     case TINYGLTF_MODE_TRIANGLE_STRIP:
       reserve_faces(n);
-      // In every second triangle two corners are swapped, so that all have the same winding.
+      // The corners of every second triangle of a strip are exchanged, so that all triangles have
+      // the same winding.
       for (std::size_t i = 0; i + 2 < n; ++i) add_face(i, i + 1 + i % 2, i + 2 - i % 2);
       break;
     case TINYGLTF_MODE_TRIANGLE_FAN:
@@ -303,9 +312,11 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
       primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_POINTS ? 1 : 3;
   if (!budget.take(count + corners_per_vertex * drawn)) {
     return fail(place,
-                "the meshes have more vertices than the size of the file and the limits allow",
-                "share meshes between nodes instead of accessors between meshes, or raise the "
-                "limit on corners");
+                "the meshes use their data so often that they have more than " +
+                    std::to_string(budget.size()) +
+                    " vertices and corners, too many for a file of " + std::to_string(asset.bytes) +
+                    " bytes",
+                "let several nodes draw one mesh instead of several meshes use one accessor");
   }
   const Attributes attributes(asset, primitive.attributes, place, count);
   auto vertices = read_vertices(asset, primitive, attributes, place, count, pose, budget);
@@ -315,7 +326,8 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
   mesh.name = mesh_name(described, id);
   if (auto done = set_positions(mesh, *vertices, place); !done) return tl::unexpected(done.error());
   const std::vector<bool> has_normal = set_normals(asset, mesh, *vertices, place);
-  *vertices = {};  // it is twice as large as the mesh's own table
+  // Frees memory: these doubles are twice as large as the mesh's own table.
+  *vertices = {};
   if (auto done = set_texcoords(asset, mesh, attributes, texcoords, place); !done)
     return tl::unexpected(done.error());
   if (auto done = set_colors(mesh, attributes); !done) return tl::unexpected(done.error());

@@ -16,10 +16,11 @@
 namespace glassbox::gltf {
 
 // The number of vertices and corners that may still be made. Primitives may share accessors, so
-// that a short file could request any number of them.
+// without a limit a short file could request any number of vertices.
 class Budget {
 public:
-  explicit Budget(std::uint64_t elements) : left_(elements) {}
+  explicit Budget(std::uint64_t elements) : size_(elements), left_(elements) {}
+  std::uint64_t size() const { return size_; }
   bool take(std::uint64_t elements) {
     if (elements > left_) return false;
     left_ -= elements;
@@ -27,6 +28,7 @@ public:
   }
 
 private:
+  std::uint64_t size_;
   std::uint64_t left_;
 };
 

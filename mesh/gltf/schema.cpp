@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/mesh/gltf/schema_tables.h>
 #include <glassbox/mesh/gltf/text.h>
 
@@ -39,11 +40,29 @@ public:
   Result<json> check() { return check_object(document_, "document", {}); }
 
 private:
+  // "3", "at least 1" or "at most 16": the numbers of items that a list may have.
+  static std::string wanted_items(const Property& property) {
+    const std::string least = std::to_string(property.min_items);
+    if (property.min_items == property.max_items) return least;
+    if (property.max_items == kUnlimited) return "at least " + least;
+    return "from " + least + " to " + std::to_string(property.max_items);
+  }
+  // "from 0 to 1", "at least 0", "at most 1" or "finite".
+  static std::string wanted_range(double low, double high) {
+    const auto text = [](double bound) {
+      const bool is_integer = bound == std::floor(bound) && std::abs(bound) <= kLargestInteger;
+      return is_integer ? std::to_string(std::int64_t(bound)) : json(bound).dump();
+    };
+    if (std::isfinite(low) && std::isfinite(high)) return "from " + text(low) + " to " + text(high);
+    if (std::isfinite(low)) return "at least " + text(low);
+    return std::isfinite(high) ? "at most " + text(high) : "finite";
+  }
+
   static tl::unexpected<Error> refuse(const Place& place, std::string cause) {
     return fail(place.text(), std::move(cause), "correct the file or export it again");
   }
 
-  // The number of entries in the top-level array that an index refers to.
+  // The number of entries in the document's top-level array of this name.
   std::size_t entries(std::string_view array) const {
     const json* at = &document_;
     const auto descend = [&at](const char* name) {
@@ -82,7 +101,8 @@ private:
                            bool top) {
     if (!value.is_array()) return refuse(place, "is not a JSON array");
     if (value.size() < property.min_items || value.size() > property.max_items) {
-      return refuse(place, "has " + std::to_string(value.size()) + " items");
+      return refuse(place, "has " + std::to_string(value.size()) + " items, but must have " +
+                               wanted_items(property));
     }
     if (top && value.size() > kMaxEntries) {
       return refuse(place, "has " + std::to_string(value.size()) + " entries, more than " +
@@ -126,7 +146,8 @@ private:
     if (!value.is_number()) return refuse(place, "is not a number");
     const double number = value.get<double>();
     if (!(number >= property.low && number <= property.high) || !std::isfinite(number)) {
-      return refuse(place, "is " + value.dump() + ", out of its range");
+      return refuse(place, "is " + value.dump() + ", but must be " +
+                               wanted_range(property.low, property.high));
     }
     return json(number);
   }
@@ -137,7 +158,7 @@ private:
     if (number != std::floor(number))
       return refuse(place, "is " + value.dump() + ", not an integer");
     if (!(number >= low && number <= high))
-      return refuse(place, "is " + value.dump() + ", out of its range");
+      return refuse(place, "is " + value.dump() + ", but must be " + wanted_range(low, high));
     return json(static_cast<std::uint64_t>(number));
   }
 
@@ -157,7 +178,8 @@ private:
     const std::size_t count = entries(array);
     if (index->get<std::size_t>() >= count) {
       return refuse(place, "names entry " + value.dump() + " of '" + std::string(array) +
-                               "', which has " + std::to_string(count));
+                               "', which has " + counted(count, "entry", "entries") +
+                               " (numbers start at 0)");
     }
     return index;
   }
@@ -176,7 +198,7 @@ private:
   const json& document_;
 };
 
-// Whether brackets nest deeper than kMaxDepth anywhere outside strings.
+// Whether brackets outside strings are nested deeper than kMaxDepth.
 bool too_deep(std::string_view text) {
   int depth = 0;
   bool in_string = false;
@@ -196,8 +218,8 @@ bool too_deep(std::string_view text) {
   return false;
 }
 
-// Counts extensions. Extras belong to the application that wrote the file, and may contain
-// anything, so they are skipped.
+// Counts how often each extension is used in `value`. Extras are skipped: they belong to the
+// application that wrote the file and may contain anything.
 void count_extensions(const json& value, std::map<std::string, std::uint64_t>& counts) {
   if (value.is_array()) {
     for (const json& item : value) count_extensions(item, counts);
@@ -212,11 +234,12 @@ void count_extensions(const json& value, std::map<std::string, std::uint64_t>& c
 }
 
 Result<void> check_version(const json& asset) {
-  // Minor versions are compatible with 2.0 by definition, unless the file says which one it needs.
+  // A file of a minor version such as 2.1 can be read as 2.0 by definition, unless it requires a
+  // newer minor version itself.
   const std::string version = asset["version"];
   if (!version.starts_with("2.")) {
     return fail("asset.version", "is " + in_quotes(version),
-                "only glTF 2 can be read: convert the file");
+                "only glTF 2 can be read: convert the file to glTF 2");
   }
   return {};
 }
@@ -245,7 +268,7 @@ std::string place_of_number(std::string_view text, std::string_view what) {
 Result<Document> read_document(std::string_view text) {
   if (too_deep(text)) {
     return fail("JSON", "is nested deeper than " + std::to_string(kMaxDepth) + " levels",
-                "remove the nesting");
+                "put fewer lists and objects inside each other");
   }
   // The parser would skip a byte order mark, which glTF forbids.
   if (text.starts_with("\xef\xbb\xbf")) {

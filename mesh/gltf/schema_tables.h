@@ -12,7 +12,7 @@
 namespace glassbox::gltf {
 
 inline constexpr double kLargestInteger = 0x1p53;  // larger integers may have no exact double
-inline constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+inline constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 enum class Type {
@@ -33,7 +33,7 @@ struct Property {
   bool required = false;
   bool array = false;
   std::size_t min_items = 0;
-  std::size_t max_items = kAny;
+  std::size_t max_items = kUnlimited;
   double low = -kInfinity;
   double high = kInfinity;
   std::vector<const char*> words = {};  // kString: the allowed values, where there is a list
@@ -43,7 +43,7 @@ struct Property {
     copy.required = true;
     return copy;
   }
-  Property list(std::size_t least = 0, std::size_t most = kAny) const {
+  Property list(std::size_t least = 0, std::size_t most = kUnlimited) const {
     Property copy = *this;
     copy.array = true;
     copy.min_items = least;

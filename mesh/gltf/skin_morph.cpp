@@ -40,7 +40,7 @@ Result<std::vector<Matrix>> inverse_bind_matrices(const Asset& asset, std::size_
   return matrices;
 }
 
-// The matrix by which the joints move one vertex.
+// The weighted mean of the joints' matrices, which moves one vertex.
 Result<Matrix> blend(std::size_t vertex, const std::vector<Influences>& sets,
                      const JointMatrices& joints) {
   double sum = 0;
@@ -57,8 +57,8 @@ Result<Matrix> blend(std::size_t vertex, const std::vector<Influences>& sets,
       const std::size_t joint = std::size_t(set.joints[vertex * 4 + i]);
       if (joint >= joints.size()) {
         return fail("vertex " + std::to_string(vertex),
-                    "follows joint " + std::to_string(joint) + " of a skin that has " +
-                        std::to_string(joints.size()),
+                    "follows joint " + std::to_string(joint) + ", but its skin has only " +
+                        std::to_string(joints.size()) + " joints (numbers start at 0)",
                     "export the skin again");
       }
       for (int row = 0; row < 3; ++row) {
@@ -70,8 +70,8 @@ Result<Matrix> blend(std::size_t vertex, const std::vector<Influences>& sets,
   return mean;
 }
 
-// Transforms by the matrix of cofactors of the upper 3x3 part: det(m) times the inverse transposed,
-// without a division.
+// Transforms the normal n by the cofactors of the upper 3x3 part of m. They are det(m) times the
+// inverse transposed matrix, and need no division.
 std::array<double, 3> transform_normal(const Matrix& m, const double* n) {
   std::array<double, 3> out;
   for (int row = 0; row < 3; ++row) {

@@ -17,26 +17,26 @@ using JointMatrices = std::vector<Transform<World, Object>>;
 
 Result<JointMatrices> joint_matrices(const Asset& asset, const NodeTree& tree, std::size_t skin);
 
-// The numbers of one primitive before rounding: three per vertex, normals empty where there are
-// none.
+// The positions and normals of one primitive before they are rounded: three numbers per vertex. The
+// normals are empty if the primitive has none.
 struct Vertices {
   std::vector<double> positions;
   std::vector<double> normals;
   std::size_t count() const { return positions.size() / 3; }
 };
 
-// vertex += weight * delta of the target. `deltas` has three numbers per vertex.
+// Adds weight * delta of a morph target to every number. `deltas` has three numbers per vertex.
 void add_target(std::vector<double>& numbers, const std::vector<double>& deltas, double weight);
 
-// Four joints and weights per vertex and set.
+// One set of joints: four joints and their weights for each vertex.
 struct Influences {
   std::vector<double> joints;
   std::vector<double> weights;
 };
 
-// Moves the vertices by the weighted mean of their joints' matrices; normals by its cofactors,
-// which keep them perpendicular to the surface. Weights are divided by their sum; a vertex without
-// weight follows its first joint. Errors name the vertex whose joint does not exist.
+// Moves each vertex by the weighted mean of its joints' matrices, and its normal by the cofactors
+// of that mean, which keep it perpendicular to the surface. Weights are divided by their sum; a
+// vertex without weight follows its first joint. Errors name the vertex whose joint does not exist.
 Result<void> apply_skin(Vertices& vertices, const std::vector<Influences>& sets,
                         const JointMatrices& joints);
 

@@ -9,8 +9,8 @@
 
 namespace glassbox::gltf {
 
-// Prefixes an error's place with the place around it: "mesh 2, primitive 0, " and then its own
-// place.
+// An error whose place begins with the place around it: "mesh 2, primitive 0, " and then the
+// error's own place.
 inline tl::unexpected<Error> fail_inside(const std::string& place, const Error& error) {
   return fail(place + ", " + error.place, error.cause, error.remedy);
 }

@@ -22,7 +22,8 @@ struct CornerHash {
   }
 };
 
-// Adds shapes to the last primitive as long as their attributes are the same.
+// Adds triangles, lines and points to the last primitive as long as they have the same attributes;
+// otherwise it starts another primitive.
 class Unifier {
 public:
   void add(int mode, bool has_normals, std::span<const Corner> corners) {

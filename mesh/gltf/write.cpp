@@ -103,7 +103,7 @@ private:
     return document_["accessors"].size() - 1;
   }
 
-  // Writes the result of `numbers` for each vertex, one number after the other.
+  // Writes the numbers that `numbers` returns for each vertex, one after the other.
   template <class Numbers>
   std::size_t write_attribute(const UnifiedPrimitive& primitive, const char* type,
                               Numbers numbers) {
@@ -214,7 +214,7 @@ private:
     return index;
   }
 
-  // The instances of each node.
+  // The indices of the instances at each node.
   std::vector<std::vector<std::size_t>> instances_by_node() const {
     std::vector<std::vector<std::size_t>> by_node(scene_.nodes.size());
     for (std::size_t i = 0; i < scene_.instances.size(); ++i)
@@ -230,7 +230,7 @@ private:
     return by_node;
   }
 
-  // Whether a depth-first walk over the hierarchy, parents first, meets the instances in the order
+  // Whether a depth-first walk over the hierarchy, parents first, visits the instances in the order
   // in which they are drawn.
   bool order_follows_hierarchy() const {
     const auto instances = instances_by_node();
@@ -259,8 +259,8 @@ private:
     }
   }
 
-  // A glTF node has at most one mesh: a node with several instances gets a child for each, before
-  // its other children.
+  // Writes the nodes with their hierarchy. A glTF node has at most one mesh, so a node with several
+  // instances gets a child for each instance, before its other children.
   void write_hierarchy() {
     for (const Node& described : scene_.nodes) {
       const std::size_t index = add_node(described.name);
@@ -289,7 +289,8 @@ private:
     }
   }
 
-  // Writes every instance under its own root: the hierarchy is lost, but the picture is the same.
+  // Writes every instance as a root node of its own: the hierarchy is lost, but the picture is the
+  // same.
   void write_flat() {
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
       const Node& described = scene_.nodes[scene_.instances[i].node];
@@ -302,7 +303,7 @@ private:
     if (number) node(at)["mesh"] = *number;
   }
 
-  // -- cameras and lights: each under a root of its own --
+  // -- cameras and lights: each becomes a root node of its own --
 
   Result<void> write_cameras() {
     for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
@@ -336,7 +337,7 @@ private:
   const Scene& scene_;
   json document_;
   BinaryChunk binary_;
-  // By the index in Scene::meshes; none: nothing to draw.
+  // For each of Scene::meshes its index in the file; none if the mesh draws nothing.
   std::vector<std::optional<std::size_t>> mesh_numbers_;
   std::vector<std::size_t> roots_;
   std::vector<std::string> used_;

@@ -50,7 +50,7 @@ Result<fs::path> Directory::find(std::string_view name) const {
     return fail("", "the file " + in_quotes(name) + " " + cause,
                 "put it beside " + owner_ + " and name it by a relative path");
   };
-  // No file system accepts longer paths, and none accepts NUL.
+  // No file system accepts paths longer than this, and none accepts a NUL in a path.
   constexpr std::size_t kMaxLength = 4096;
   if (root_.empty() || name.empty() || name.size() > kMaxLength ||
       name.find('\0') != std::string_view::npos) {

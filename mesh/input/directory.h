@@ -14,7 +14,7 @@ namespace glassbox::obj {
 
 class Directory {
 public:
-  // Contains no file.
+  // A directory without any files.
   Directory() = default;
   // The directory of `file`; messages call it "the OBJ file" if `kind` is "OBJ". `max_bytes` limits
   // the sum of all files.

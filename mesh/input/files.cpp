@@ -99,9 +99,9 @@ Result<Bytes> read_whole_file(const std::string& path, std::uint64_t max_bytes) 
   if (error) return fail("", "cannot be read", "check that the file may be read");
   if (size > max_bytes) {
     return fail("",
-                "has " + std::to_string(size) + " bytes, more than the limit of " +
-                    std::to_string(max_bytes),
-                "raise the limit if the file can be trusted");
+                "has " + std::to_string(size) + " bytes, but at most " + std::to_string(max_bytes) +
+                    " may be read",
+                "use a smaller file (in the library: LoadLimits::max_file_bytes)");
   }
   std::ifstream stream(path, std::ios::binary);
   Bytes bytes(size);
@@ -128,7 +128,7 @@ Result<Bytes> decode_base64(std::string_view text) {
       const std::uint32_t digit = pad ? 0 : base64_digit(text[group + i]);
       if (digit == 64)
         return refuse("character " + std::to_string(group + i) +
-                      " of the base64 data is not base64");
+                      " of the base64 data is not a base64 digit");
       bits = bits << 6 | digit;
     }
     for (const int shift : {16, 8, 0}) bytes.push_back(std::byte(bits >> shift & 0xff));
@@ -148,7 +148,8 @@ Result<std::shared_ptr<const Bytes>> Resources::read(std::string_view uri) {
     return fail("", "the URI " + in_quotes(uri) + " " + cause,
                 "name a file beside the scene by a relative path");
   };
-  if (has_scheme(uri)) return refuse("has a scheme; only data: is read");
+  if (has_scheme(uri))
+    return refuse("begins with the name of a protocol, and data: is the only one that is read");
   const std::optional<std::string> decoded = percent_decoded(uri);
   if (!decoded) return refuse("has a per cent sign without two hexadecimal digits after it");
   if (decoded->empty()) return refuse("is empty");
@@ -162,12 +163,13 @@ Result<std::shared_ptr<const Bytes>> Resources::read(std::string_view uri) {
 Result<std::shared_ptr<const Bytes>> Resources::read_inside_directory(const std::string& relative) {
   const std::string named = "the file " + in_quotes(relative) + " ";
   if (directory_.empty()) {
-    return fail("", named + "is external, and external files are not read here",
-                "embed the data in the file");
+    return fail("",
+                named + "is external, and cannot be found because the scene itself is not a file",
+                "embed the data in the scene");
   }
   std::error_code error;
   const fs::path root = fs::canonical(directory_, error);
-  if (error) return fail("", "its directory cannot be resolved", "check the path");
+  if (error) return fail("", "the scene's directory cannot be found", "check the path");
   const fs::path path = fs::canonical(root / relative, error);
   if (error) return fail("", named + "does not exist", "put it where the scene names it");
   if (!is_inside(path, root)) {

@@ -15,12 +15,12 @@
 
 namespace glassbox {
 
-// Returns the Result of `load`, with the file named in its error. Too little memory is an error,
-// too.
+// Returns the Result of `load`, with the file named in its error. Running out of memory is also
+// returned as an error.
 template <class Load>
 auto naming_file(const std::string& path, Load load) -> decltype(load()) {
   auto made = unless_out_of_memory(load, "there is not enough memory for it",
-                                   "close other programs, or reduce the scene");
+                                   "close other programs, or use a smaller scene");
   if (!made) made.error().file = path;
   return made;
 }

@@ -14,15 +14,16 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Whether a decimal number outside the range of float is too large rather than too small: whether
-// its first digit that is not zero is, after applying the exponent, before the decimal point.
+// Whether a decimal number outside the range of float is too large, and not too small: it is too
+// large if, with the exponent applied, its first digit that is not zero is before the decimal
+// point.
 bool is_too_large(std::string_view number) {
   const std::size_t mantissa_end = std::min(number.find_first_of("eE"), number.size());
   const std::string_view mantissa = number.substr(0, mantissa_end);
   const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
   const std::size_t first = mantissa.find_first_of("123456789");
   if (first == std::string_view::npos) return false;
-  // The position of the first digit: 0 for units, -1 for tenths.
+  // The decimal place of the first digit that is not zero: 0 for units, -1 for tenths.
   const std::int64_t place =
       first < point ? std::int64_t(point - first) - 1 : -std::int64_t(first - point);
   std::int64_t exponent = 0;
@@ -31,8 +32,8 @@ bool is_too_large(std::string_view number) {
     const bool negative = digits.starts_with('-');
     if (negative || digits.starts_with('+')) digits.remove_prefix(1);
     const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    // For an exponent that does not fit in an int64, the mantissa has no influence: it would not
-    // fit in memory.
+    // If the exponent does not fit in an int64, only its sign matters: no mantissa in memory has
+    // enough digits to make up for it.
     if (parsed.ec == std::errc::result_out_of_range) return !negative;
     if (negative) exponent = -exponent;
   }
@@ -107,8 +108,8 @@ Number parse_number(std::string_view word) {
   const auto parsed = std::from_chars(word.data(), end, number.value);
   if (parsed.ec == std::errc::invalid_argument || parsed.ptr != end) return {};
   if (parsed.ec == std::errc::result_out_of_range) {
-    // The library does not say which end of the range was exceeded, nor does it keep the sign of a
-    // zero.
+    // from_chars does not say whether the number is too large or too small, nor does it keep the
+    // sign of a zero.
     if (is_too_large(word)) return {Number::Kind::kNotFinite, 0};
     return {Number::Kind::kFinite, word.starts_with('-') ? -0.0f : 0.0f};
   }

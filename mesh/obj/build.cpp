@@ -7,13 +7,13 @@
 namespace glassbox::obj {
 namespace {
 
-// Maps the entries of one table of the file to the table of the current mesh. Starting the next
-// mesh costs nothing.
+// Maps the entries of one table of the file to entries of the current mesh. Nothing has to be
+// cleared when the next mesh starts.
 class Renumbering {
 public:
   explicit Renumbering(std::size_t size) : mesh_of_(size, kNone), local_(size, kNone) {}
 
-  // True where `mesh` has used the entry before; local() then returns its number.
+  // True if `mesh` has used the entry before; local() then returns the entry's number in the mesh.
   bool knows(std::uint32_t global, std::uint32_t mesh) const { return mesh_of_[global] == mesh; }
   std::uint32_t local(std::uint32_t global) const { return local_[global]; }
   void set(std::uint32_t global, std::uint32_t mesh, std::uint32_t local) {
@@ -26,7 +26,7 @@ private:
   std::vector<std::uint32_t> mesh_of_, local_;
 };
 
-// The normal scaled to unit length, computed in double; nothing for the zero vector, which has no
+// The normal scaled to unit length, computed in double; absent for the zero vector, which has no
 // direction.
 std::optional<Normal<Object>> normalized(const Normal<Object>& n) {
   const double x = n.x, y = n.y, z = n.z;
@@ -35,7 +35,7 @@ std::optional<Normal<Object>> normalized(const Normal<Object>& n) {
   return Normal<Object>(float(x / length), float(y / length), float(z / length));
 }
 
-// The texture coordinates with the material's map applied and v reversed; nothing where they are
+// The texture coordinates with the material's map applied and v reversed; absent if they are
 // outside the range of float.
 std::optional<TexCoord> placed(const TexCoord& t, const TexCoordMap& map) {
   const double u = double(map.scale[0]) * double(t.u) + double(map.offset[0]);
@@ -111,7 +111,7 @@ private:
     return positions_.local(global);
   }
 
-  // Colours belong to vertices in the file, so they are found by the vertex index.
+  // A colour belongs to a vertex of the file, so it is found by the vertex's index.
   std::uint32_t color(std::uint32_t vertex) {
     if (tables_.colors.empty() || !tables_.colors[vertex].given) return kNone;
     if (!colors_.knows(vertex, number_)) {
@@ -177,7 +177,7 @@ void build_meshes(const Tables& tables, MaterialMaker& materials, Scene& scene,
   scene.meshes.reserve(tables.parts.size());
   scene.instances.reserve(tables.parts.size());
   const ElementsByPart by_part(tables);
-  std::map<std::uint32_t, MaterialMaker::Made> made;  // by name
+  std::map<std::uint32_t, MaterialMaker::Made> made;  // by the number of the material's name
   Builder builder(tables);
   for (std::uint32_t number = 0; number < tables.parts.size(); ++number) {
     const Part& part = tables.parts[number];

@@ -33,8 +33,8 @@ Result<Scene> load_text(std::string_view text, const MtlText* mtl, obj::Director
     materials.add_library(mtl->text, "the MTL text");
     if (!mtl->is_all && !tables->libraries.empty()) {
       warnings.add(
-          "material libraries are not read, because there is no directory: faces are drawn without "
-          "their materials");
+          "material libraries are not read, because the OBJ text is not a file beside them: faces "
+          "are drawn without their materials");
     }
   } else {
     for (const std::string& names : tables->libraries) materials.read_libraries(names);
@@ -74,9 +74,10 @@ Result<Scene> load_obj(const std::string& path, const LoadLimits& limits) {
 Result<Scene> load_obj_memory(std::string_view obj_text, std::string_view mtl,
                               const LoadLimits& limits) {
   if (obj_text.size() > limits.max_file_bytes || mtl.size() > limits.max_file_bytes) {
-    return fail("",
-                "has more than the limit of " + std::to_string(limits.max_file_bytes) + " bytes",
-                "raise the limit if the file can be trusted");
+    return fail(
+        "",
+        "has more than " + std::to_string(limits.max_file_bytes) + " bytes, the most that is read",
+        "use a smaller file (in the library: LoadLimits::max_file_bytes)");
   }
   const MtlText library{mtl, true};
   return naming_file("", [&] { return load_text(obj_text, &library, obj::Directory(), limits); });

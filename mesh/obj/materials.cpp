@@ -7,8 +7,8 @@
 namespace glassbox::obj {
 namespace {
 
-// A map's file name may be followed by a comment, but may also contain a '#'. The name with the '#'
-// is tried first.
+// Finds the file of a map statement. A comment may follow the name, but the name itself may also
+// contain a '#', so the text with the '#' is tried first.
 Result<std::filesystem::path> find_map(const Directory& directory, std::string_view file) {
   auto found = directory.find(file);
   if (found) return found;
@@ -40,7 +40,7 @@ std::string bounded_name(std::string_view name) {
   return std::string((short_name.empty() ? name : short_name).substr(0, kMaxLength));
 }
 
-// Ns is a real number, at least 0; the scene's exponents are integers, at least 1.
+// MTL's exponent Ns is a real number, at least 0; the scene's exponents are integers, at least 1.
 int shininess_from(float exponent) {
   return int(std::clamp(double(exponent), 1.0, 1024.0) + 0.5);
 }
@@ -91,7 +91,7 @@ bool MaterialMaker::read_library(std::string_view name) {
 void MaterialMaker::read_libraries(std::string_view names) {
   const std::string_view uncommented = without_comment(names);
   if (read_library(names) || read_library(uncommented)) return;
-  // A line may name any number of files; this many are searched.
+  // A line may name any number of files; at most this many are searched.
   constexpr std::size_t kMaxNames = 64;
   const std::vector<std::string> all = split_names(uncommented);
   bool any = false;
@@ -125,16 +125,18 @@ void MaterialMaker::set_opacity(const MtlMaterial& written, Material& material) 
   material.base_color.a = std::clamp(opacity, 0.0f, 1.0f);
   if (material.base_color.a < 1.0f) material.alpha_mode = AlphaMode::kBlend;
   if (!written.opacity_map) return;
-  // Exporters name one file for both maps to say that the image's own alpha is to be used.
+  // If both maps name one file, its own alpha is to be used: this is how exporters say so.
   if (written.diffuse_map && written.diffuse_map->file == written.opacity_map->file) {
     if (material.texture) material.alpha_mode = AlphaMode::kBlend;
   } else {
-    warnings_.add("the material " + in_quotes(written.name) +
-                  " has a map_d of its own, which was ignored");
+    warnings_.add(
+        "the material " + in_quotes(written.name) +
+        " has an opacity texture (map_d) that is not its colour texture (map_Kd), and was ignored");
   }
 }
 
-// A mesh has one table of texture coordinates, so both maps must transform them in the same way.
+// A mesh has one table of texture coordinates, so the maps of colour and emission must transform
+// them in the same way.
 void MaterialMaker::set_emission(const MtlMaterial& written, Material& material,
                                  TexCoordMap& texcoord_map) {
   if (material.unlit || (!written.emission && !written.emission_map)) return;
@@ -145,12 +147,13 @@ void MaterialMaker::set_emission(const MtlMaterial& written, Material& material,
     const TexCoordMap moved = texcoord_map_of(*written.emission_map);
     if (material.texture && moved != texcoord_map) {
       warnings_.add("the material " + in_quotes(written.name) +
-                    " has a map_Ke with other coordinates than its map_Kd: the map_Ke and the "
-                    "emission were left out");
+                    " has an emission texture (map_Ke) with other coordinates than its colour "
+                    "texture (map_Kd): its emission was left out");
       return;
     }
     material.emission_texture = texture(*written.emission_map);
-    if (!material.emission_texture) return;  // without the texture all of the surface would glow
+    // Without the texture, the whole surface would glow.
+    if (!material.emission_texture) return;
     texcoord_map = moved;
   }
   material.emission = emission;
@@ -196,7 +199,8 @@ MaterialMaker::Made MaterialMaker::made_from(const MtlMaterial& written) {
 }
 
 std::optional<std::uint32_t> MaterialMaker::texture(const MapStatement& map) {
-  // Searching for a file takes far longer than naming it, and a hostile library can name many.
+  // The number of searches is limited, because searching for a file takes far longer than naming
+  // it, and a hostile library can name many files.
   constexpr int kMaxTexturesSought = 4096;
   if (textures_sought_ == kMaxTexturesSought) {
     warnings_.add("a texture was left out: only the first " + std::to_string(kMaxTexturesSought) +

@@ -17,7 +17,8 @@
 
 namespace glassbox::obj {
 
-// How map_Kd transforms texture coordinates, v up: (u, v) to (s_u u + o_u, s_v v + o_v).
+// How map_Kd transforms texture coordinates whose v axis points up: (u, v) becomes (s_u u + o_u,
+// s_v v + o_v) with the scale s and the offset o.
 struct TexCoordMap {
   std::array<float, 2> offset{0, 0};
   std::array<float, 2> scale{1, 1};
@@ -35,10 +36,10 @@ public:
         warnings_(warnings),
         pixels_left_(limits.max_image_pixels) {}
 
-  // If two materials have the same name, the first counts.
+  // Reads a material library. If two materials have the same name, the first one is used.
   void add_library(std::string_view text, std::string_view name);
-  // Reads the text after mtllib: one name that may contain blanks, or several names, with blanks in
-  // them escaped.
+  // Reads the libraries that the text after mtllib names: one name that may contain blanks, or
+  // several names in which blanks are escaped.
   void read_libraries(std::string_view names);
 
   struct Made {
@@ -69,9 +70,11 @@ private:
   std::map<const MtlMaterial*, Made> made_;
   std::map<std::string, std::size_t, std::less<>> written_by_name_;
   std::map<std::string, bool> libraries_read_;  // by canonical path
-  // By canonical path; nothing where decoding failed, so that it is tried only once.
+  // The index of each image, by its canonical path; nothing where decoding failed, so that it is
+  // tried only once.
   std::map<std::string, std::optional<std::uint32_t>> images_;
-  std::map<std::pair<std::uint32_t, bool>, std::uint32_t> textures_;  // by image and clamping
+  // By image, and whether it is clamped.
+  std::map<std::pair<std::uint32_t, bool>, std::uint32_t> textures_;
 };
 
 }  // namespace glassbox::obj

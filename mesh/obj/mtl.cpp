@@ -31,8 +31,8 @@ void set_pair(std::array<float, 2>& pair, const std::vector<float>& numbers) {
   for (std::size_t i = 0; i < pair.size() && i < numbers.size(); ++i) pair[i] = numbers[i];
 }
 
-// Takes the arguments of an option from `words`. Numbers after the first are optional, so a word
-// that is not a number begins the file name.
+// Takes the arguments of an option from `words`. All numbers after the first are optional, so a
+// word that is not a number begins the file name.
 void read_option(const MapOption& option, Words& words, MapStatement& map) {
   if (option.max_arguments == 1) {
     const std::string_view argument = words.next();
@@ -144,13 +144,14 @@ private:
 MapStatement parse_map(std::string_view arguments) {
   MapStatement map;
   Words words(arguments);
-  // The file name: from its first word to the end of its last, with the blanks between them as
-  // written.
+  // The file name goes from its first word to the end of its last one, with the blanks between the
+  // words as written.
   const char* file_begin = nullptr;
   const char* file_end = nullptr;
   while (!words.rest().empty()) {
     Words ahead = words;
-    // A word of the rest, not Words::next(), because a file name may contain a '#'.
+    // The word is taken from the rest of the line and not with Words::next(), which stops at a '#':
+    // a file name may contain one.
     const std::string_view rest = words.rest();
     const std::string_view word = rest.substr(0, rest.find_first_of(" \t\v\f"));
     const MapOption* const option = find_option(word);

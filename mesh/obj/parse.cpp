@@ -17,7 +17,8 @@ std::string line_place(std::uint64_t line) {
   return "line " + std::to_string(line);
 }
 
-// Statements of the format that draw no polygon, line or point.
+// Whether the statement belongs to free-form curves and surfaces, which draw no polygon, line or
+// point.
 bool is_free_form(std::string_view keyword) {
   constexpr std::string_view kKeywords[] = {
       "vp",   "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim",  "hole",
@@ -25,7 +26,7 @@ bool is_free_form(std::string_view keyword) {
   return std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
 }
 
-// Statements that control rendering, which the scene does not use.
+// Whether the statement controls rendering in a way that the scene does not use.
 bool is_render_state(std::string_view keyword) {
   constexpr std::string_view kKeywords[] = {"s",          "mg",       "bevel",  "c_interp",
                                             "lod",        "d_interp", "maplib", "usemap",
@@ -199,9 +200,9 @@ private:
     }
     corners_ += kind == ElementKind::kPolyline ? 2 * (count - 1) : count;
     if (corners_ > limits_.max_corners) {
-      return refuse(
-          "the file has more than the limit of " + std::to_string(limits_.max_corners) + " corners",
-          "raise the limit if the file can be trusted");
+      return refuse("the file has more than " + std::to_string(limits_.max_corners) +
+                        " corners, the most that are read",
+                    "use a smaller mesh (in the library: LoadLimits::max_corners)");
     }
     const auto [known, is_first] =
         part_numbers_.try_emplace(part_, std::uint32_t(tables_.parts.size()));
@@ -280,7 +281,7 @@ private:
       if (table->largest >= std::int64_t(table->size)) {
         return fail(line_place(table->line_of_largest),
                     std::string("names ") + table->name + " " + std::to_string(table->largest + 1) +
-                        ", but the file has " + std::to_string(table->size),
+                        ", but the file has only " + std::to_string(table->size),
                     "export the file again or correct the line");
       }
     }
@@ -305,13 +306,13 @@ private:
   }
 
   // Some exporters write indices of normals or texture coordinates without writing the entries. If
-  // the whole file has no entries, it is clear that the indices can be ignored.
+  // the whole file has no entries of this kind, their indices can safely be ignored.
   using IndexOf = std::uint32_t Reference::*;
   void drop_references_to(IndexedTable& absent, IndexOf index) {
     if (absent.size > 0 || absent.largest < 0) return;
     for (Reference& corner : tables_.references) corner.*index = kNone;
     warnings_.add(std::string("corners name ") + absent.name +
-                  "s, but the file has none (the last in line " +
+                  "s, but the file has none, so they were left out (the last in line " +
                   std::to_string(absent.line_of_largest) + ")");
     absent.largest = -1;
   }
@@ -344,7 +345,8 @@ private:
   std::map<Part, std::uint32_t> part_numbers_;
   std::set<std::string, std::less<>> libraries_seen_;
   Part part_;
-  std::uint64_t corners_ = 0;  // in meshes: inner vertices of a polyline count twice
+  // The number of corners in the meshes, where inner vertices of a polyline count twice.
+  std::uint64_t corners_ = 0;
 
   IndexedTable positions_{"vertex"};
   IndexedTable texcoords_{"texture coordinate"};

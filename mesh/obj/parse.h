@@ -54,7 +54,7 @@ struct Part {
   auto operator<=>(const Part&) const = default;
 };
 
-// An sRGB code for each channel, if the file gives one.
+// The colour of a vertex as an sRGB code for each channel, if the file gives one.
 struct VertexColor {
   std::uint8_t r = 255, g = 255, b = 255;
   bool given = false;

@@ -56,7 +56,7 @@ private:
     return fail("header",
                 "has " + counted(vertices->count, "vertex", "vertices") +
                     " and no faces: a point cloud, which has no surface to draw",
-                "reconstruct a surface first, as MeshLab and CloudCompare do");
+                "make a surface from the points first, for example with MeshLab or CloudCompare");
   }
 
   // ---- rows ----
@@ -68,8 +68,8 @@ private:
         std::move(cause), std::move(remedy));
   }
 
-  // Reads the numbers of one element: row_ has one for each property (for a list, its length);
-  // lists_ has the values of the lists.
+  // Reads the numbers of one element. row_ gets one number for each property (for a list, its
+  // length); lists_ gets the values of the lists.
   bool read_row(const Element& element) {
     row_.resize(element.properties.size());
     lists_.resize(element.properties.size());
@@ -209,10 +209,10 @@ private:
         continue;
       }
       if (corners.size() > max_corners - mesh.corners.size()) {
-        return refuse(
-            "face", i,
-            "the faces have more corners than the limit of " + std::to_string(max_corners),
-            "raise the limit if the file can be trusted");
+        return refuse("face", i,
+                      "up to here the faces have more than " + std::to_string(max_corners) +
+                          " corners, the most that are read",
+                      "use a smaller mesh (in the library: LoadLimits::max_corners)");
       }
       mesh.faces.push_back({std::uint32_t(mesh.corners.size()), std::uint32_t(corners.size())});
       if (auto done = add_corners(corners, i); !done) return done;
@@ -226,10 +226,11 @@ private:
     const std::uint64_t count = header_.find("vertex")->count;
     for (const double index : corners) {
       if (!(index >= 0 && index < double(count))) {
-        return refuse(
-            "face", face,
-            "names vertex " + std::to_string(std::int64_t(index)) + " of " + std::to_string(count),
-            "export the file again");
+        return refuse("face", face,
+                      "names vertex " + std::to_string(std::int64_t(index)) +
+                          ", but the file has only " + std::to_string(count) +
+                          " (numbers start at 0)",
+                      "export the file again");
       }
       built_.mesh.corners.push_back({std::uint32_t(index), kNone, kNone, kNone});
     }
@@ -244,15 +245,17 @@ private:
       if (!list.empty()) odd_wedges_.add(face);
       return;
     }
+    bool all_finite = true;
     for (std::uint32_t k = 0; k < last.count; ++k) {
       wedges_.push_back({float(list[2 * k]), float(1.0 - list[2 * k + 1])});
       TexCoord& t = wedges_.back();
       if (!std::isfinite(t.u) || !std::isfinite(t.v)) {
-        odd_wedges_.add(face);
+        all_finite = false;
         t = {0, 0};
       }
       mesh.corners[last.first + k].texcoord = std::uint32_t(wedges_.size() - 1);
     }
+    if (!all_finite) odd_wedges_.add(face);
   }
 
   void add_face_color(const Element& element, const ColorPropertyIndices& indices) {
@@ -265,10 +268,10 @@ private:
     }
   }
 
-  // ---- when all is read: faces may come before the vertices ----
+  // ---- after all data have been read, because faces may come before the vertices ----
 
-  // A corner has one index into each table. The other indices equal the position's index, unless
-  // faces have their own values.
+  // A corner has one index into each table. The indices of its normal, colour and texture
+  // coordinates equal that of its position, unless faces have their own values.
   void complete_corners() {
     Mesh& mesh = built_.mesh;
     const bool by_corner = !wedges_.empty(), by_face = !vertex_colors_ && !face_colors_.empty();
@@ -286,7 +289,7 @@ private:
     std::vector<Rgba>& colors = built_.mesh.colors;
     const bool all_clear = std::ranges::all_of(colors, [](const Rgba& c) { return c.a == 0; });
     if (!colors.empty() && all_clear) {
-      warnings_.add("the alpha of all colours is 0, and was left out");
+      warnings_.add("the alpha of all colours is 0 and was ignored: the mesh is drawn opaque");
       for (Rgba& color : colors) color.a = 1;
     }
     built_.translucent = std::ranges::any_of(colors, [](const Rgba& c) { return c.a < 1; });
@@ -320,8 +323,9 @@ private:
     odd_normals_.report("normals are zero or not finite and were left out", warnings_, kVertex);
     odd_texcoords_.report("texture coordinates are not finite and were taken as 0", warnings_,
                           kVertex);
-    odd_wedges_.report("faces have texture coordinates that do not fit their corners", warnings_,
-                       kFace);
+    odd_wedges_.report(
+        "faces have texture coordinates that are not finite or do not fit their corners", warnings_,
+        kFace);
     for (const auto& [kind, names] : unread_) warnings_.add(kind + " are not drawn: " + names);
   }
 

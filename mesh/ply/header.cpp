@@ -31,7 +31,7 @@ public:
     for (;;) {
       if (!take_line()) {
         return refuse("the header has no 'end_header'",
-                      "the file is cut short, or is not a PLY file");
+                      "export the file again: it is cut short, or is not a PLY file");
       }
       obj::Words words(line_);
       const std::string_view keyword = words.next();
@@ -50,12 +50,12 @@ private:
     return fail("line " + std::to_string(number_), std::move(cause), std::move(remedy));
   }
 
-  // The first line also shows how lines end; binary data may begin with a byte that looks like half
-  // of a line ending.
+  // Reads the first line, which also shows how lines end. After the header this must be known,
+  // because binary data may begin with a byte that looks like half of a line ending.
   Result<void> take_magic() {
     const std::size_t end = std::min(file_.find_first_of("\r\n"), file_.size());
     if (file_.substr(0, end) != "ply" || end == file_.size()) {
-      return fail("line 1", "is not 'ply'", "the file is not a PLY file, or damaged");
+      return fail("line 1", "is not 'ply'", "give a PLY file, or export a damaged one again");
     }
     ending_ =
         file_.substr(end).starts_with("\r\n") ? std::string_view("\r\n") : file_.substr(end, 1);
@@ -100,7 +100,7 @@ private:
                     "use ascii, binary_little_endian or binary_big_endian");
     }
     if (version != "1.0") {
-      return refuse("has version " + in_quotes(version), "only version 1.0 is known");
+      return refuse("has version " + in_quotes(version), "export the file as PLY version 1.0");
     }
     has_format_ = true;
     return {};
@@ -113,7 +113,8 @@ private:
       return refuse("an element needs a name and a count", "export the file again");
     }
     if (std::uint64_t(*count) > kMaxCount) {
-      return refuse("has " + std::to_string(*count) + " elements, more than indices can name",
+      return refuse("has " + std::to_string(*count) + " elements, but at most " +
+                        std::to_string(kMaxCount) + " are read",
                     "split the file");
     }
     if (header_.find(name) != nullptr) {
@@ -121,7 +122,7 @@ private:
     }
     if (header_.elements.size() >= kMaxElements) {
       return refuse("has more than " + std::to_string(kMaxElements) + " kinds of elements",
-                    "remove what is not needed");
+                    "remove the elements that are not needed");
     }
     header_.elements.push_back({std::string(name), std::uint64_t(*count), {}});
     return {};
@@ -131,7 +132,8 @@ private:
     for (const auto& [word, type] : kTypes) {
       if (word == name) return type;
     }
-    return refuse("has the unknown type " + in_quotes(name), "use char to double, int8 to float64");
+    return refuse("has the unknown type " + in_quotes(name),
+                  "use char, uchar, short, ushort, int, uint, float or double, or int8 to float64");
   }
 
   Result<void> take_property(obj::Words& words) {
@@ -145,7 +147,7 @@ private:
       const auto count_type = take_type(words.next());
       if (!count_type) return tl::unexpected(count_type.error());
       if (!is_integer(*count_type)) {
-        return refuse("counts a list with a number that is not an integer",
+        return refuse("the length of a list has a type that is not an integer",
                       "export the file again");
       }
       property.count_type = *count_type;
@@ -162,13 +164,14 @@ private:
     }
     if (element.properties.size() >= kMaxProperties) {
       return refuse("has more than " + std::to_string(kMaxProperties) + " properties",
-                    "remove what is not needed");
+                    "remove the properties that are not needed");
     }
     element.properties.push_back(std::move(property));
     return {};
   }
 
-  // Nothing overflows: counts are below 2^32, elements below 2^12 bytes.
+  // Nothing here overflows: an element count is below 2^32, the size of an element below 2^12
+  // bytes.
   Result<void> check_counts() const {
     const std::uint64_t available = file_.size() - at_;
     std::uint64_t needed = 0;
@@ -182,12 +185,13 @@ private:
       needed += element.count * bytes;
       // The last number of a text file needs no blank after it.
       if (needed > available + (header_.format == Format::kAscii ? 1 : 0)) {
-        return fail("element " + in_quotes(element.name),
-                    "the " + std::to_string(element.count) + " that the header promises need " +
-                        std::to_string(needed) +
-                        " bytes at least, with what comes before them, and there are " +
-                        std::to_string(available),
-                    "the file is cut short or damaged: export it again");
+        return fail(
+            "element " + in_quotes(element.name),
+            "the " + std::to_string(element.count) +
+                " of them that the header names, with the data before them, need at least " +
+                std::to_string(needed) + " bytes after the header, but there are only " +
+                std::to_string(available),
+            "the file is cut short or damaged: export it again");
       }
     }
     return {};

@@ -26,8 +26,10 @@ inline std::size_t bytes_of(Type type) {
 
 struct Property {
   std::string name;
-  Type type = Type::kFloat32;           // of the value, or of each value of the list
-  std::optional<Type> count_type = {};  // of lists: the type of the number of values
+  // The type of the value, or of each value of the list.
+  Type type = Type::kFloat32;
+  // For lists: the type in which the file stores the number of values.
+  std::optional<Type> count_type = {};
 };
 
 struct Element {

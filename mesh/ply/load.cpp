@@ -69,9 +69,10 @@ Result<Scene> load_ply(const std::string& path, const LoadLimits& limits) {
 
 Result<Scene> load_ply_memory(std::string_view bytes, const LoadLimits& limits) {
   if (bytes.size() > limits.max_file_bytes) {
-    return fail("",
-                "has more than the limit of " + std::to_string(limits.max_file_bytes) + " bytes",
-                "raise the limit if the file can be trusted");
+    return fail(
+        "",
+        "has more than " + std::to_string(limits.max_file_bytes) + " bytes, the most that is read",
+        "use a smaller file (in the library: LoadLimits::max_file_bytes)");
   }
   return naming_file("", [&] { return load_bytes(bytes, obj::Directory(), limits); });
 }

@@ -17,7 +17,7 @@ namespace glassbox::ply {
 
 using PropertyIndex = std::optional<std::size_t>;  // index of a property in its element
 
-// ---- which properties say what ----
+// ---- which properties have which meaning ----
 
 // The property with one of these names, if it is a single number; a list of the same name has
 // another meaning.
@@ -81,7 +81,8 @@ inline double clamp_to_unit(double fraction) {
   return fraction > 0 ? std::min(fraction, 1.0) : 0.0;
 }
 
-// Integers and fractions are taken as sRGB and rounded to one of its codes.
+// The linear light of a channel: integers and fractions are taken as sRGB and rounded to one of its
+// 256 codes.
 inline float light_of(double value, Type type) {
   const double code = std::floor(clamp_to_unit(fraction_of(value, type)) * 255 + 0.5);
   return decode_srgb(std::uint8_t(code));

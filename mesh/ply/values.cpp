@@ -25,7 +25,7 @@ double from_bytes(std::string_view bytes, bool swapped) {
   return static_cast<double>(std::bit_cast<T>(raw));
 }
 
-// Calls `use` with a value of the C++ type.
+// Calls `use` with a value of the C++ type that belongs to `type`.
 template <class Use>
 auto with_type(Type type, Use use) {
   switch (type) {
@@ -57,8 +57,9 @@ bool parse_double(std::string_view word, double& number) {
   const auto parsed = std::from_chars(word.data(), end, number);
   if (parsed.ptr != end || parsed.ec == std::errc::invalid_argument) return false;
   if (parsed.ec == std::errc()) return true;
-  // The library does not say which end of the range was exceeded; the range test for floats gives
-  // the right answer for doubles, too.
+  // from_chars does not say whether the number is too large or too small; the test for floats is
+  // right here, too: a number outside the range of double is outside that of float, at the same
+  // end.
   const bool tiny = obj::parse_number(word).kind == obj::Number::Kind::kFinite;
   number = tiny ? 0.0 : std::numeric_limits<double>::infinity();
   if (word.starts_with('-')) number = -number;

@@ -21,11 +21,11 @@ public:
         line_(header.data_line),
         format_(header.format) {}
 
-  // Reads the next number; false where there is no number that the type can hold; then problem()
-  // has the reason.
+  // Reads the next number. Returns false if there is no number that the type can represent;
+  // problem() then has the reason.
   bool next(Type type, double& number);
 
-  // Whether the bytes that `count` numbers need at least are present.
+  // Whether there are at least as many bytes left as `count` numbers need.
   bool has_room_for(std::uint64_t count, Type type) const {
     const std::uint64_t each = format_ == Format::kAscii ? 2 : bytes_of(type);
     return count <= (std::uint64_t(rest_.size()) + 1) / each;

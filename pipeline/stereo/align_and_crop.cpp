@@ -8,8 +8,8 @@
 namespace glassbox {
 namespace {
 
-// The camera moved by -shift, with `columns` more pixels of the same size, half of them on each
-// side.
+// The view of the camera moved by -shift; the picture gets `columns` more pixels of the same size,
+// half of them on each side.
 View wider_view(const View& centre, double shift, int columns) {
   View view = centre;
   view.eye_from_world.at(0, 3) += shift;
@@ -26,7 +26,7 @@ Result<AlignAndCrop> align_and_crop(const View& centre, const StereoPair& pair) 
   if (!centre.perspective) {
     return fail("align and crop",
                 "the projection is parallel, and the pictures of two parallel cameras are alike",
-                "use the skew matrix");
+                "use the skew matrix instead (option --eyes-by skew)");
   }
   const float width = centre.viewport.width();
   if (centre.viewport.left != 0 || centre.viewport.top != 0 || width != std::floor(width)) {
@@ -44,8 +44,8 @@ Result<AlignAndCrop> align_and_crop(const View& centre, const StereoPair& pair) 
   cut.shift = int(std::lround(cut.shift_px));
   cut.left = wider_view(centre, eye_shift(pair, Side::kLeft), cut.shift);
   cut.right = wider_view(centre, eye_shift(pair, Side::kRight), cut.shift);
-  // In the wide picture, the skew moves the columns to the left by shift/2 for the left eye, and
-  // the wider border adds another shift/2; for the right eye the two cancel.
+  // The columns to keep begin after the border of shift/2. They begin another shift/2 later for the
+  // left eye and shift/2 earlier for the right eye, which is the difference that the skew makes.
   cut.left_first = cut.shift;
   cut.right_first = 0;
   return cut;

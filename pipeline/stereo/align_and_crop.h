@@ -8,12 +8,13 @@
 
 namespace glassbox {
 
-// Two parallel cameras with the centre's frustum widened on both sides, W + shift columns of the
-// centre's pixels.
+// Two parallel cameras with the centre's frustum widened on both sides: their pictures have W +
+// shift columns, W being the columns of the centre's picture.
 struct AlignAndCrop {
   View left, right;
-  // The parallax at infinity, s a W/f px with a the entry (0, 0) of the projection; `shift`: the
-  // number of columns that are cropped for it, the nearest whole number.
+  // The parallax at infinity, s a W/f px, where s is half the separation, a the entry (0, 0) of the
+  // projection and f the distance of the stereo window. `shift` is the nearest whole number, the
+  // number of columns that are cropped.
   double shift_px = 0;
   int shift = 0;
   // Columns first .. first + W - 1 of each picture are kept.

@@ -9,14 +9,14 @@
 namespace glassbox {
 namespace {
 
-// For a camera that moves by -shift along x the world moves by +shift.
+// A camera that moves by -shift along x moves the world by +shift in eye space.
 Transform<Eye, Eye> translation(double shift) {
   Transform<Eye, Eye> m;
   m.at(0, 3) = shift;
   return m;
 }
 
-// z' = scale z_eye + offset.
+// The row of clip_from_eye that computes the clip depth z' = scale z_eye + offset.
 struct DepthRow {
   double scale, offset;
 };
@@ -24,9 +24,10 @@ DepthRow depth_row(const View& view) {
   return {view.clip_from_eye.at(2, 2), view.clip_from_eye.at(2, 3)};
 }
 
-// -a s focus/shift, from comparing the two shifts in NDC term by term: a s (1/z - 1/f) for
-// perspective, where the depth is B/z - A, and a s (1 - z/f) for parallel projections, where it is
-// B - A z.
+// Returns -a s focus/shift, in the letters of pair_of_clip_skew (constructions.h). A clip skew
+// moves NDC x by shift (1 - depth/focus). A skew in eye space moves it by a s (1/z - 1/f) for
+// perspective, where the depth is B/z - A, and by a s (1 - z/f) for parallel projections, where the
+// depth is B - A z. Equal coefficients of 1/z (or of z) give B (or A f).
 double shift_ratio(const View& centre, double window) {
   const DepthRow depth = depth_row(centre);
   return centre.perspective ? depth.offset : depth.scale * window;
@@ -40,8 +41,8 @@ Result<View> off_axis_view(const View& centre, const StereoPair& pair, Side side
                 "use the skew matrix, which makes it oblique");
   }
   const double s = eye_shift(pair, side), n = centre.near;
-  // x_clip = a x + b z_eye and w = -z_eye: the edges -1 and 1 of NDC are at x = n (b -+ 1)/a on the
-  // near plane.
+  // The projection has x_clip = a x + b z_eye and w = -z_eye, so on the near plane, at the distance
+  // n, the edges -1 and 1 of NDC are at x = n (b -+ 1)/a.
   const auto edge = [&](int axis, double ndc) {
     return n * (centre.clip_from_eye.at(axis, 2) + ndc) / centre.clip_from_eye.at(axis, axis);
   };

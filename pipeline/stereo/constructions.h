@@ -11,13 +11,15 @@
 
 namespace glassbox {
 
-// The eye moves by -s (left) or s, then looks through an off-axis frustum: the centre's window on
-// the near plane n, shifted by s n/f (left) or -s n/f, and frustum() of projection.h (S0-11).
-// Perspective only. An error for parallel projections, because glOrtho cannot slant its box, and
-// where the shifted window is out of the range of double.
+// The eye moves by -s (left) or s, where s is half the separation, then looks through an off-axis
+// frustum: frustum() of projection.h for the centre's window on the near plane n, shifted by s n/f
+// (left) or -s n/f, where f is the distance of the stereo window (S0-11). Errors: parallel
+// projections, because glOrtho cannot slant its box, and a shifted window out of the range of
+// double.
 Result<View> off_axis_view(const View& centre, const StereoPair& pair, Side side);
 
-// The eye moves by -s (left) or s, then eye space is sheared: x' = x - s z/f at the distance z
+// The eye moves by -s (left) or s, where s is half the separation, then eye space is sheared: x' =
+// x - s z/f (left) or x + s z/f at the distance z, where f is the distance of the stereo window
 // (S0-10, "translate and skew").
 View translate_and_shear_view(const View& centre, const StereoPair& pair, Side side);
 
@@ -31,22 +33,24 @@ struct ClipSkew {
 };
 View clip_skew_view(const View& centre, const ClipSkew& skew, Side side);
 
-// The same pair in the parameters of the other construction. With z' = A z_eye + B the third row of
-// clip_from_eye and a its entry (0, 0):
+// Convert a StereoPair, for a skew in eye space, to a ClipSkew that gives the same pictures, and
+// back. f is the distance of the stereo window, s half the separation, z' = A z_eye + B the third
+// row of clip_from_eye and a its entry (0, 0):
 //
 //   perspective   f = B/(focus + A)     s = -shift B/(a focus)
 //   parallel      f = (B - focus)/A     s = -shift A f/(a focus)
 //
-// An error: a window with depth 0 (on the near plane, or infinitely far in the reversed range),
-// which has no clip skew.
+// It is an error if the window has depth 0 (on the near plane, or infinitely far in the reversed
+// range), because then no ClipSkew gives the same pictures.
 StereoPair pair_of_clip_skew(const View& centre, const ClipSkew& skew);
 Result<ClipSkew> clip_skew_of_pair(const View& centre, const StereoPair& pair);
 
 // ---- the wrong way ----
 
-// Cameras that turn towards each other until their axes meet at the window, tan(angle) = s/f. The
-// corners of the picture get vertical parallax (parallax.h; S0-07, C-75), which eyes cannot follow,
-// and the window is not a plane.
+// Cameras that turn towards each other until their axes meet at the window: the tangent of the
+// angle is half the separation over the window's distance. The corners of the picture get vertical
+// parallax (parallax.h; S0-07, C-75), which eyes cannot follow, and the points without parallax are
+// not on a plane.
 View toe_in_view(const View& centre, const StereoPair& pair, Side side);
 
 }  // namespace glassbox

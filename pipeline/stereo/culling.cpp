@@ -25,8 +25,8 @@ Outcode stereo_outcode(const StereoClipPoint& p, const View& centre) {
   const bool shared_finite = std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
   const bool left_finite = shared_finite && std::isfinite(p.left_x);
   const bool right_finite = shared_finite && std::isfinite(p.right_x);
-  // As in render_planes for an infinite far plane: z <= 2 w, in double, where the product cannot
-  // overflow.
+  // As in render_planes, z <= 2 w replaces an infinite far plane, z <= w. It is computed in double,
+  // where the product cannot overflow.
   const bool noise_only = centre.depth_range == DepthRange::kStandard && std::isinf(centre.far);
   const double end = noise_only ? 2 * double(p.w) : double(p.w);
   return bit(0, p.z < 0) | bit(1, double(p.z) > end) | bit(2, p.y < -p.w) | bit(3, p.y > p.w) |

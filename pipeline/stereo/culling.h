@@ -27,8 +27,8 @@ struct StereoClipPoint {
 inline StereoClipPoint stereo_clip_point(const Point<Clip>& left, const Point<Clip>& right) {
   return {left.x, right.x, left.y, left.z, left.w};
 }
-// One camera for both eyes, as in the deck: it culls by the camera in the middle and loses what
-// only the skewed frusta see (E20).
+// For culling with one camera for both eyes, as in the slides: the camera in the middle loses what
+// only the skewed frusta of the eyes see (E20).
 inline StereoClipPoint centre_clip_point(const Point<Clip>& centre) {
   return {centre.x, centre.x, centre.y, centre.z, centre.w};
 }
@@ -37,7 +37,7 @@ struct StereoPlanes {
   std::array<ClipPlane, 4> shared;  // near, far, bottom, top
   std::array<ClipPlane, 2> sides;   // left and right plane, used for each eye
 };
-// An infinite far plane of the standard range is placed as in render_planes.
+// An infinite far plane of the standard range is replaced by z <= 2 w, as in render_planes.
 StereoPlanes stereo_planes(const View& centre);
 
 // Bits 0 and 1: z < 0, z beyond the other end of the depth range; 2 and 3: below, above; 4 and 5:
@@ -49,16 +49,16 @@ inline constexpr Outcode kStereoSides = 0xfc;  // bits 2 to 7
 // Whether neither eye can see anything of the triangle (or segment, or point) with these outcodes.
 bool is_outside_both_views(std::span<const Outcode> outcodes);
 
-// The same for everything in a box of object space. To cull by the centre camera alone, pass its
-// matrix twice.
+// Whether neither eye can see anything that is in a box of object space. To cull by the centre
+// camera alone, pass its matrix twice.
 bool is_box_outside_both_views(const Box<Object>& box,
                                const Transform<Clip, Object, float>& left_clip_from_object,
                                const Transform<Clip, Object, float>& right_clip_from_object,
                                const StereoPlanes& planes);
 
 // The number of columns, px, at one edge of each eye's picture that culling by the centre camera
-// leaves empty at this distance: half the parallax. The left eye loses its right edge behind the
-// window and its left edge in front of it.
+// leaves empty for objects at this distance: half the parallax. The left eye loses its right edge
+// behind the window and its left edge in front of it.
 inline double missing_strip_px(const View& centre, const StereoPair& pair, double distance) {
   return std::abs(parallax_at(centre, pair, distance).px) / 2;
 }

@@ -9,15 +9,16 @@
 namespace glassbox {
 namespace {
 
-// 1/f - 1/z, where either may be infinite. The difference is taken before dividing, so that nothing
-// cancels.
+// 1/f - 1/z, where either may be infinite. The difference z - f is taken before dividing, so that
+// no digits cancel.
 double inverse_difference(double f, double z) {
   if (std::isinf(z)) return 1 / f;
   if (std::isinf(f)) return -1 / z;
   return (z - f) / f / z;
 }
 
-// A point as the slopes x/z and y/z of its line of sight, and s/z: defined at infinity too.
+// A point, given by the slopes x/z and y/z of its line of sight and by s/z, where s is half the
+// separation. Points at infinity have these values, too.
 struct LineOfSight {
   double x = 0, y = 0, half_separation = 0;
 };
@@ -28,7 +29,7 @@ double toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
   // The sine and cosine of the angle whose tangent is s/f.
   const double tangent = pair.half_separation / pair.window;
   const double cosine = 1 / hypotenuse(1, tangent), sine = tangent * cosine;
-  const double left = cosine + (line.x + line.half_separation) * sine;   // zL/z
+  const double left = cosine + (line.x + line.half_separation) * sine;  // zL/z, zL as in parallax.h
   const double right = cosine - (line.x - line.half_separation) * sine;  // zR/z
   const double half_heights =
       -centre.clip_from_eye.at(1, 1) * line.y * 2 * line.x * sine / (left * right);
@@ -77,7 +78,8 @@ double largest_toe_in_vertical_parallax_px(const View& centre, const StereoPair&
   double largest = 0;
   for (const double x_ndc : {-1.0, 1.0}) {
     for (const double y_ndc : {-1.0, 1.0}) {
-      // x_clip = a x + b z_eye and w = -z_eye, so x/z = (x_ndc + b)/a.
+      // The projection has x_clip = a x + b z_eye and w = -z_eye, so the distance z = -z_eye gives
+      // x/z = (x_ndc + b)/a.
       const LineOfSight corner{
           (x_ndc + centre.clip_from_eye.at(0, 2)) / centre.clip_from_eye.at(0, 0),
           (y_ndc + centre.clip_from_eye.at(1, 2)) / centre.clip_from_eye.at(1, 1),

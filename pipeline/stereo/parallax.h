@@ -46,7 +46,8 @@ struct Display {
 struct DisplayedParallax {
   double mm = 0;
   // The decrease of the eyes' convergence, compared with a point on the screen: 2 atan(e/2D) - 2
-  // atan((e - p)/2D).
+  // atan((e - p)/2D), where e is the distance between the pupils, D the viewing distance and p the
+  // parallax in mm.
   double degrees = 0;
   bool diverges = false;  // mm > kPupilDistanceMm
 };
@@ -60,13 +61,14 @@ DisplayedParallax displayed_parallax(const Parallax& parallax, const Display& di
 //   -(d/h) y 2x sin(a) / (zL zR),  tan(a) = s/f,
 //   zL = z cos(a) + (x + s) sin(a),  zR = z cos(a) - (x - s) sin(a)
 //
-// Skewed frusta have no vertical parallax. 0 for parallel projections. Infinite or meaningless
-// where the point is beside or behind a camera.
+// with the point's coordinates x, y, z (z along the gaze) and the other letters of the comment at
+// the top of this file. Skewed frusta have no vertical parallax. The result is 0 for parallel
+// projections, and infinite or meaningless where the point is beside or behind a camera.
 double toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
                                    const Point<Eye, double>& point);
 
-// The largest |vertical parallax| in the centre's picture at this distance (may be infinite); it
-// occurs at one of the corners. It grows with the distance.
+// The largest |vertical parallax| that toe_in_view's cameras give in the centre's picture at this
+// distance (may be infinite); it occurs at one of the corners. It grows with the distance.
 double largest_toe_in_vertical_parallax_px(const View& centre, const StereoPair& pair,
                                            double distance);
 

@@ -35,7 +35,8 @@ Result<void> check_parallax_budget(const View& centre, const DepthSpan& span,
 
 double largest_half_separation(const View& centre, double window, const DepthSpan& span,
                                const ParallaxBudget& budget, double at_most) {
-  // Parallax is proportional to the separation and increases with the distance.
+  // Parallax is proportional to the separation and increases with the distance, so the two ends of
+  // the span decide.
   const StereoPair unit{1, window};
   const double in_front = -parallax_at(centre, unit, span.nearest).px;
   const double behind = parallax_at(centre, unit, span.farthest).px;
@@ -43,8 +44,8 @@ double largest_half_separation(const View& centre, double window, const DepthSpa
   const double bound = s;
   if (in_front > 0) s = std::min(s, budget.in_front_px / in_front);
   if (behind > 0) s = std::min(s, budget.behind_px / behind);
-  // parallax_at rounds a product of five factors, here and when the caller calls it again, and the
-  // quotient rounds too.
+  // The result is reduced by 12 roundings: parallax_at rounds a product of five factors, here and
+  // when the caller calls it again, and the quotient rounds too.
   return s == bound ? s : s * (1 - 12 * unit_roundoff<double>);
 }
 
@@ -80,13 +81,13 @@ double WindowFilter::next(double window) {
 
 std::vector<double> smooth_separations(std::span<const double> limits, double release_frames,
                                        double max_step) {
-  // Backwards: as low as later frames require, one step per frame.
+  // Backwards in time: the value of a frame is at most one step above that of the next frame.
   std::vector<double> reachable(limits.begin(), limits.end());
   for (std::size_t i = reachable.size(); i-- > 1;) {
     reachable[i - 1] = std::min(reachable[i - 1], reachable[i] + max_step);
   }
-  // Forwards. No fall is longer than a step: the separation before was within one step of what is
-  // reachable here.
+  // Forwards in time: rises are filtered. No fall is longer than a step, because the separation
+  // before was at most its reachable value, which is at most one step above this frame's.
   std::vector<double> separations;
   separations.reserve(limits.size());
   const double share = low_pass_weight(release_frames);

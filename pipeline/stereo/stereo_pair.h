@@ -31,8 +31,8 @@ inline double eye_shift(const StereoPair& pair, Side side) {
 // window is infinitely far. It is the largest half separation that check_pair allows.
 double window_half_width(const View& centre, double window);
 
-// Whether the pair makes sense with this camera (a View of make_view). Zero separation does: it is
-// mono, and `window` is not read. Refused, with a remedy:
+// Checks that the pair makes sense with this camera (a View of make_view). Zero separation does:
+// both eyes see the same picture, and `window` is not read. Errors, with a remedy:
 //   - numbers that are not finite (but an infinite window is allowed with perspective); a negative
 //     separation, which exchanges the eyes;
 //   - a window that is not in front of the camera, nearer than the near plane, or beyond the far
@@ -43,15 +43,17 @@ double window_half_width(const View& centre, double window);
 //   - entries of the eyes' matrices that float cannot hold.
 Result<void> check_pair(const View& centre, const StereoPair& pair);
 
-// The centre's view with clip_from_eye * stereo_skew(s, f), s positive for the left eye: x' = x + s
-// (1 - z/f) at the distance z. Everything else is equal to the centre's, bit for bit: eye space, so
-// that lighting is the same for both eyes, and the rows y, z, w of clip_from_eye (S0-03). Zero
+// The centre's view with clip_from_eye * stereo_skew(s, f), where s is half the separation for the
+// left eye, minus that for the right eye, and f is the window's distance: x' = x + s (1 - z/f) at
+// the distance z. Everything else is equal to the centre's, bit for bit: eye space, so that
+// lighting is the same for both eyes, and the rows y, z, w of clip_from_eye (S0-03). Zero
 // separation returns the centre's view. The pair must have passed check_pair.
 //
-// With a parallel projection the two views are oblique: their lines of sight are parallel to those
-// from (-s, 0) and (s, 0) to the window's centre (0, f), and parallax grows linearly with depth,
-// without limit (parallax.h). This is what a distant pair with a long lens would see, so the depths
-// of the near and far plane should be of the same order as the window's.
+// With a parallel projection the two views are oblique: their lines of sight are parallel to the
+// lines from the eyes, (-s, 0) and (s, 0) in x and z, to the window's centre (0, f), and parallax
+// grows linearly with depth, without limit (parallax.h). A distant pair of cameras with long lenses
+// would see the same, so the depths of the near and far plane should be of the same order as the
+// window's.
 View eye_view(const View& centre, const StereoPair& pair, Side side);
 
 }  // namespace glassbox

@@ -2,8 +2,8 @@
 //
 // The functions get their inputs from `tables`, a class with the vertices of one draw: plain
 // numbers in render/staged/corners.cpp, numbers with bounds in render/trace/corner_bounds.cpp. The
-// lanes load the attributes of many corners themselves (raster/lanes/small_source-inl.h), and call
-// only the functions that do not need tables.
+// vectorised code loads the attributes of many corners itself (raster/lanes/small_source-inl.h),
+// and calls only the functions that do not need tables.
 
 // The attributes that the mesh has at a corner; position and normal in eye space.
 template <class Tables>
@@ -46,7 +46,7 @@ inline auto centre_of_face(const Corners& corners) {
   return std::array<F, 3>{sum[0] * share, sum[1] * share, sum[2] * share};
 }
 
-// Stores the light that arrives at `place`, in eye space, and is reflected there.
+// Stores in `at` the light that arrives at `place`, in eye space, and is reflected there.
 template <class Tables, class Place, class Attributes>
 inline void light_corner(const Tables& tables, const Place& place, Attributes& at) {
   constexpr bool kHighlights = true;
@@ -83,9 +83,10 @@ inline std::array<F, N> weighted_sum(const std::array<F, N>& a, const std::array
   return result;
 }
 
-// The attributes at a vertex after clipping: the sum of the corners' attributes with these weights.
-// Most vertices are still corners, with one weight of 1 and two of 0. They keep the corner's
-// attributes: the sum would be the same, except for the sign of a zero, which no later stage reads.
+// The attributes at a vertex after clipping: the sum of the triangle's corners' attributes with
+// these weights. Most vertices are still corners of the triangle, with one weight of 1 and two of
+// 0. They keep the corner's attributes: the sum would be the same, except for the sign of a zero,
+// which no later stage reads.
 template <class Attributes, class Weight>
 inline Attributes clipped_vertex_attributes(const std::array<Attributes, 3>& corners,
                                             const std::array<Weight, 3>& weights) {

@@ -1,5 +1,6 @@
 // Depth and attributes at a point of a triangle. E_k are the edge functions there and A is their
-// sum, all exact integers; `fl` rounds to float, and every operation is rounded:
+// sum, all exact integers; d_k, w_k and a_k are the depth, w and attribute at vertex k; `fl` rounds
+// to float, and every operation is rounded:
 //
 //   lambda_k   = fl(E_k) * fl(1 / fl(A))
 //   depth      = d0 + (lambda_1 (d1 - d0) + lambda_2 (d2 - d0))
@@ -7,15 +8,16 @@
 //   weight_k   = (lambda_k / w_k) * (1 / q)
 //   attribute  = a0 + (weight_1 (a1 - a0) + weight_2 (a2 - a0))
 //
-// Nothing depends on where the walk over the pixels began, so every order of visiting them gives
-// the same bits. Errors to first order in u = 2^-24, relative to the exact value for the snapped
-// triangle and the given 1/w_k (tests/raster/interpolate_test.cpp compares them with rationals):
+// No number is computed from that of a neighbouring pixel, so every order of visiting the pixels
+// gives the same bits. Errors to first order in u = 2^-24, relative to the exact value for the
+// snapped triangle and the given 1/w_k (tests/raster/interpolate_test.cpp compares them with
+// rationals):
 // - lambda: 4u (E_k, A, 1/A and the product are rounded), even in the far corner of a sliver.
 // - depth: 8u, which a reversed depth range needs near 0. Vertex 0 has the smallest depth, so
 //   nothing cancels: 4u of lambda, then a difference, a product and two sums of numbers that are
 //   not negative. The result is never below the smallest depth, and a triangle of constant depth
 //   gets exactly that depth.
-// - q: 7u. A sum of positive numbers: no cancellation however different the w are (C-66).
+// - q: 7u. It is a sum of positive numbers, so nothing cancels, however different the w are (C-66).
 // - weight: 10u. The rounding errors of A and 1/A divide out, which leaves 3u of lambda_k / w_k, 5u
 //   of q and two operations.
 // - attribute: 13u (weight_1 |a1 - a0| + weight_2 |a2 - a0|) + u |attribute|, absolute. An

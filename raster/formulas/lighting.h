@@ -13,8 +13,8 @@ inline F power(F base, int exponent) {
   return result;
 }
 
-// The light that arrives at a point: its direction, and the fraction that distance, range and cone
-// leave of it.
+// The light that arrives at a point: its direction, and the fraction of the light's brightness that
+// is left after the effects of distance, range and cone.
 template <Number F>
 struct IncidentLight {
   std::array<F, 3> towards;  // unit vector from the point to the light

@@ -13,7 +13,7 @@
 //   Float                                  the type of its numbers
 //   kChannels, first_channel()             how many colour channels are computed, and the first one
 //   wanted()                               picks these channels from all three
-//   material()                             the same for the whole surface
+//   material()                             the surface's material
 //   has_vertex_color(), vertex_color()
 //   has_texture(), texel()                 the texture's colour at the fragment
 //   is_lit(), lighting(), has_highlights()
@@ -23,8 +23,8 @@
 //   has_emission_texture(), emission_texel()
 // Members whose result the surface does not need are not called.
 
-// The base class of fragments. An observer can change the emitted light in emitted(). Here it does
-// nothing; a fragment that is watched has its own.
+// The base class of fragments. An observer can change the emitted light in emitted(). In this class
+// emitted() does nothing; the fragments of an observer define their own.
 struct UnobservedFragment {
   template <class Light>
   void emitted(Light& /*own*/) const {}
@@ -64,7 +64,8 @@ inline bool is_texel_alone(const Fragment& at) {
          !at.is_lit() && !at.emits();
 }
 
-// For a material with an alpha mask: whether the fragment is kept. If alpha is NaN, it is not.
+// For a material with an alpha mask: whether the fragment is kept. A fragment whose alpha is NaN is
+// not kept.
 template <Number F>
 inline auto reaches_cutoff(F alpha, const Material& material) {
   return alpha >= F(material.alpha_cutoff);

@@ -1,9 +1,9 @@
-// Samples from an image, and how fast its coordinates change from pixel to pixel.
+// Computes samples of a texture, and how fast the texture coordinates change from pixel to pixel.
 
 // The coordinate within one period of its wrap mode: [0, 1) for repeat, [0, 2] where every second
-// copy is mirrored, [0, 1] for clamp. Exact except for negative coordinates near 0: there the sum
-// may round up to the whole period, whose end is next to the first texel. A coordinate that is not
-// finite becomes 0.
+// copy is mirrored, [0, 1] for clamp. The result is exact except for negative coordinates near 0:
+// there the difference may be rounded up to the end of the period, which is next to its beginning
+// in the repeated texture. A coordinate that is not finite becomes 0.
 template <Number F>
 inline F wrap_coordinate(Wrap wrap, F t) {
   F wrapped = t;
@@ -21,7 +21,8 @@ inline F wrap_coordinate(Wrap wrap, F t) {
   return select(is_finite(t), wrapped, F(0.0f));
 }
 
-// Wraps an index into [0, period). It may be outside at either end by less than one period.
+// Wraps an index into [0, period). The index may be below 0 or above the end, by less than one
+// period.
 template <WholeNumber I, class Size>
 inline I into_period(I i, Size period) {
   const I from_below = select(i < 0, i + period, i);
@@ -46,9 +47,9 @@ inline I wrap_texel(Wrap wrap, I i, Size size) {
   return i;
 }
 
-// Returns texel `i` and the one after it, wrapped, for -1 <= i < size. At the ends the neighbour is
-// on the other side of the image, or is the end texel itself. (A wrapped coordinate below 1 times a
-// size stays below the size when it is rounded.)
+// Returns texel `i` and the one after it, wrapped, for -1 <= i < size. At the image's edge the
+// neighbour is on the opposite edge, or is the edge's texel itself. (A wrapped coordinate below 1
+// times a size stays below the size when it is rounded.)
 template <WholeNumber I, class Size>
 inline std::array<I, 2> wrap_neighbours(Wrap wrap, I i, Size size) {
   const I next = i + 1, last = size - 1;
@@ -65,8 +66,8 @@ inline std::array<I, 2> wrap_neighbours(Wrap wrap, I i, Size size) {
 
 // ---- between texels ----
 
-// The fraction t in [0, 1] of the way from one texel or level to the next, in units of 2^-15:
-// rounded down, at most 32767.
+// Converts the fraction t in [0, 1] (of the distance from one texel or level to the next) to units
+// of 2^-15: rounded down, at most 32767.
 template <Number F>
 inline auto fraction_of(F t) {
   const auto fraction = to_integer(t * 32768.0f);
@@ -74,7 +75,7 @@ inline auto fraction_of(F t) {
 }
 
 // Mixes from a at f = 0 towards b at f = 2^15, rounded to nearest. The result is never outside [a,
-// b], and at most 1.5 from the exact mix for t.
+// b], and it differs by at most 1.5 from the exact mix with the fraction t that f was rounded from.
 template <class T>
 inline T mix_whole(T a, T b, T f) {
   return a + times_fraction(b - a, f);
@@ -133,13 +134,15 @@ inline auto sample_level(const Texture& texture, const Sampler& sampler, Filter 
 
 // ---- level of detail ----
 
-// The change of lambda_k / w_k over one pixel, from the change of the edge function.
+// The change of lambda_k / w_k (screen weight over w of vertex k) over one pixel, from the change
+// of the edge function.
 template <Number F>
 inline F slope_over_w(F edge_step, F inverse_area, F inverse_w) {
   return edge_step * inverse_area * inverse_w;
 }
 
-// The plane equations of 1/w, u/w and v/w. `slopes`: [axis][vertex]; `texcoords`: [vertex][u, v].
+// The changes of 1/w, u/w and v/w over one pixel in x and in y. `slopes`: [axis][vertex], from
+// slope_over_w; `texcoords`: [vertex][u, v].
 template <Number F, class Condition>
 inline TexturePlanesOf<F> planes_over_w(const std::array<std::array<F, 3>, 2>& slopes,
                                         const std::array<std::array<F, 2>, 3>& texcoords,

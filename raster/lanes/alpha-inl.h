@@ -1,8 +1,8 @@
-// What happens to the fragments that are in front: the tile keeps them all, or only some by their
-// alpha, or they are blended over the picture. Masked and Blended compute alpha in function calls
-// that are not inlined: there is a loop over triangles for each of them, for each depth format, and
-// for tiles within the screen or not, and the shading code should not be compiled for each of
-// these.
+// Classes that say what happens to the fragments that pass the depth test: the tile keeps them all
+// (Opaque), or only some by their alpha (Masked) or depth (Behind), or they are blended over the
+// picture (Blended). Masked and Blended compute alpha in functions that are not inlined. Otherwise
+// the shading code would be compiled many times: the loop over triangles is compiled for each of
+// these classes, for each depth format, and for tiles within the screen or not.
 
 #if defined(GLASSBOX_ALPHA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_ALPHA_INL_H_
@@ -32,11 +32,12 @@ struct Opaque {
   static constexpr bool kKeepsAll = true, kIsBehind = false;
 };
 
-// The counter for pixels that are discarded or blended; it is counted beside the written ones.
+// The counter of the fragments that are discarded, or blended, instead of being written to the
+// tile.
 using CountOf = std::uint64_t FragmentCounts::*;
 
-// Keeps the fragments whose alpha reaches the material's cutoff. Alpha is computed where they are
-// shaded.
+// Keeps the fragments whose alpha reaches the material's cutoff. Alpha is computed at the point of
+// the pixel where the fragment is shaded.
 class Masked {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = false;
@@ -44,14 +45,14 @@ public:
 
   HWY_INLINE explicit Masked(const AlphaTest& test) : test_(test) {}
 
-  // Returns which of `lanes` are kept, of which at least one is set. The lanes are pixels k .. k +
-  // kLanes - 1 of the quad at (x, y), covered by the small triangle of this reference ...
+  // Returns which of `lanes` are kept; at least one lane is set. The lanes are pixels k .. k +
+  // kLanes - 1 of the quad at (x, y), covered by the small triangle of this reference.
   HWY_NOINLINE IntMask kept(IntMask lanes, Reference reference, int x, int y, std::size_t k) const {
     const Ints of_draw = std::int32_t(reference - test_.draw->first_reference);
     return kept(lanes, SmallSource(*test_.draw, of_draw, quad_columns(k) + x, quad_rows(k) + y,
                                    AtSamples{test_.points, lanes}));
   }
-  // ... or by the large triangle.
+  // Returns which of `lanes` are kept if a large triangle covers them.
   HWY_NOINLINE IntMask kept(IntMask lanes, const LargeShape& shape, int x, int y,
                             std::size_t k) const {
     return kept(lanes, LargeSource(shape, x, y, k, AtSamples{test_.points, lanes}));
@@ -74,7 +75,8 @@ private:
   const AlphaTest& test_;
 };
 
-// Keeps the fragments behind the given depths, and of an alpha-tested draw those that Masked keeps.
+// Keeps the fragments that are behind given depths and, if the draw has an alpha test, that Masked
+// keeps as well.
 class Behind {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = true;
@@ -108,8 +110,9 @@ private:
   const AlphaTest& alpha_;
 };
 
-// A table for a triangle of one colour: the result of blending it over each possible byte, in all
-// four channels. It is worth making once as many vectors have been blended as the table has.
+// A table for a triangle of one colour: the result of blending the colour over each possible byte,
+// in all four channels. It is filled after as many vectors have been blended without it as the
+// table has vectors; for fewer it would not save time.
 struct BlendTable {
   static constexpr std::size_t kBytes = 256;
   std::size_t vectors = 0;  // blended so far
@@ -118,7 +121,8 @@ struct BlendTable {
   bool is_filled() const { return vectors >= kBytes / kLanes; }
 };
 
-// The tile keeps no fragment: they are blended into the picture, in the order in which they come.
+// The tile keeps no fragment: all fragments are blended into the picture, in the order in which
+// they are drawn.
 class Blended {
 public:
   static constexpr bool kKeepsAll = false, kIsBehind = false;
@@ -199,8 +203,8 @@ private:
     return color | (after(shifted_right<24>(before)) & std::int32_t(0xff000000u));
   }
 
-  // Replaces the stored colours of these lanes by what `after` makes of them, in the channels of
-  // the mask.
+  // Replaces the stored colours of these lanes by after(stored colours), in the channels of the
+  // mask.
   template <class After>
   HWY_INLINE void replace(IntMask lanes, int x, int y, std::size_t k, const After& after) const {
     HWY_ALIGN std::int32_t colors[kLanes] = {};
@@ -215,8 +219,8 @@ private:
   }
 
   // Calls visit(lane, colours, count) for runs of stored colours of these lanes that are next to
-  // each other: the rows of a quad, if all of it is blended and a pixel has one colour; otherwise
-  // single colours.
+  // each other: the rows of a quad, if all its pixels are blended and each has one sample;
+  // otherwise single colours.
   template <class Visit>
   HWY_INLINE void for_each_run(IntMask lanes, int x, int y, std::size_t k,
                                const Visit& visit) const {

@@ -1,5 +1,5 @@
-// Large triangles over the pixels of a block, and filling in the pixels of a plain block when they
-// are needed.
+// Computes edge functions and depths of large triangles over the pixels of a block. Also stores the
+// pixels of a plain block (TileBlock::plain: its pixels are not stored) when they are needed.
 
 #if defined(GLASSBOX_BLOCKS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_BLOCKS_INL_H_
@@ -36,7 +36,7 @@ HWY_INLINE double edge_at_pixel(const EdgeFunction& edge, int x, int y, SampleOf
   return double(edge_in_pixel(edge, x, y, point));
 }
 
-// The smallest value of an edge function that counts as covered.
+// The smallest value of an edge function at points that the triangle covers.
 HWY_INLINE std::int64_t least_inside(const EdgeFunction& edge) {
   return edge.owns_zero ? 0 : 1;
 }
@@ -46,7 +46,7 @@ HWY_INLINE IntMask covers(const Doubles& values, std::int64_t least) {
   return int_mask(rounded(values) >= float(least));
 }
 
-// Computes a large triangle's depth over quads.
+// Computes a large triangle's depth at pixels from two of its edge functions there.
 struct LargeDepth {
   explicit LargeDepth(const TriangleSetup& triangle)
       : setup(triangle),
@@ -104,8 +104,8 @@ inline void fill_block(TileBuffer& tile, std::size_t index) {
   }
 }
 
-// Makes sure that the pixels of a block have their depths and references stored: fills in a plain
-// block.
+// Makes sure that depths and references of a block's pixels are stored: stores them if the block is
+// plain.
 HWY_INLINE void make_plain_block_full(TileBuffer& tile, std::size_t index) {
   if (HWY_UNLIKELY(tile.block(index).plain)) fill_block(tile, index);
 }

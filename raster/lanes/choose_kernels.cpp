@@ -5,7 +5,7 @@
 
 namespace glassbox {
 
-// kernels.cpp defines these for each instruction set that it was compiled for.
+// kernels.cpp defines these constants, one for each instruction set that it is compiled for.
 #if (GLASSBOX_LANES & HWY_AVX3) != 0
 namespace N_AVX3 {
 extern const Kernels kKernels;

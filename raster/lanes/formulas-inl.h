@@ -46,7 +46,7 @@ template <class Fragment>
 HWY_INLINE auto emitted_light(const Fragment& at);
 template <class Fragment, class Color>
 HWY_INLINE Color shaded_color(const Fragment& at, const Color& surface);
-// This function is not inlined: it is large, and a call costs little beside it.
+// This function is not inlined: it is large, so the call itself costs little.
 template <Number F, class Texture>
 HWY_NOINLINE auto sample_texture(const Texture& texture, const Sampler& sampler,
                                  const std::array<F, 2>& texcoord, F level_of_detail);

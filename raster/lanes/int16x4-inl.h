@@ -1,4 +1,5 @@
-// Four integers of 16 bits in each lane, and how words of 64 bits are gathered.
+// Vectors with four integers of 16 bits in each lane, and functions that load such integers from
+// tables.
 
 #if defined(GLASSBOX_INT16X4_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_INT16X4_INL_H_
@@ -19,7 +20,7 @@ namespace glassbox {
 namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
-// With a single lane there are no narrower vectors: the four are computed one by one.
+// With a single lane there are no narrower vectors, so the four integers are computed one by one.
 struct Int16x4 {
   std::array<std::int16_t, 4> i;
 };
@@ -113,10 +114,10 @@ HWY_INLINE Int16x4 int16x4_of_words(Ints i, const OfWords& of_words) {
   return {hn::BitCast(kS, of_words(hn::PromoteTo(kW, hn::LowerHalf(kHalfI, i.v)))),
           hn::BitCast(kS, of_words(hn::PromoteTo(kW, hn::UpperHalf(kHalfI, i.v))))};
 }
-// The lane's integer, which is in [0, 2^15), four times.
+// Four copies of each lane's integer, which is in [0, 2^15).
 HWY_INLINE Int16x4 four_copies(Ints i) {
 #if HWY_TARGET == HWY_AVX3
-  // Short 2k is the lower half of lane k.
+  // Integer 2k of 16 bits is the lower half of lane k.
   const auto lane = hn::ShiftLeft<1>(hn::ShiftRight<2>(hn::Iota(kS, 0)));
   return {hn::Vec<DS>{_mm512_permutexvar_epi16(lane.raw, i.v.raw)},
           hn::Vec<DS>{_mm512_permutexvar_epi16(hn::Add(lane, hn::Set(kS, std::int16_t(kLanes))).raw,
@@ -199,11 +200,11 @@ HWY_INLINE Int16x2 times_fraction(Int16x2 i, Int16x2 f) {
 HWY_INLINE Int16x2 select(FloatMask condition, Int16x2 yes, Int16x2 no) {
   return {select(int_mask(condition), yes.two, no.two)};
 }
-// The lane's integer, which is in [0, 2^15), twice.
+// Two copies of each lane's integer, which is in [0, 2^15).
 HWY_INLINE Int16x2 two_copies(Ints i) {
   return {i | shifted_left<16>(i)};
 }
-// The integers must not be negative.
+// Return the first and the second integer of each lane, which must not be negative.
 HWY_INLINE Ints first_of(Int16x2 a) {
   return a.two & 0xffff;
 }

@@ -1,6 +1,6 @@
 // The functions behind Kernels, for one instruction set. They are compiled in six sources
-// (*_kernels.cpp), several at once: together they take longer to compile than all the rest that the
-// first picture needs.
+// (*_kernels.cpp), several at once: together they take longer to compile than all the other code
+// that is needed to draw a picture.
 
 #if defined(GLASSBOX_KERNEL_FUNCTIONS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_KERNEL_FUNCTIONS_INL_H_
@@ -26,7 +26,7 @@ void draw_small(const SmallJob& job, TriangleNumbers triangles, std::span<TileBu
 void draw_large(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                 FragmentCounts& counts);
 
-// Those of DrawKernels<Test>.
+// The functions in DrawKernels<Test>, for each kind of test.
 void draw_small(const SmallJob& job, const AlphaTest& test, TriangleNumbers triangles,
                 TileBuffer& tile, FragmentCounts& counts);
 void draw_small(const SmallJob& job, const BehindTest& test, TriangleNumbers triangles,

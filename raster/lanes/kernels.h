@@ -12,11 +12,11 @@
 
 namespace glassbox {
 
-// Which of a job's triangles to draw: the numbers that SmallJob gives them.
+// The indices, in a SmallJob's tables, of the triangles to draw.
 using TriangleNumbers = std::span<const std::uint32_t>;
 
-// Both kernels for a draw whose fragments are not all kept or not simply stored. `Test` says what
-// becomes of a fragment that passes the depth test.
+// The kernels that draw small and large triangles if not all fragments are kept, or if they are
+// blended. `Test` says what becomes of a fragment that passes the depth test.
 template <class Test>
 struct DrawKernels {
   void (*small)(const SmallJob& job, const Test& test, TriangleNumbers triangles, TileBuffer& tile,
@@ -33,17 +33,19 @@ struct Kernels {
   // returns their number.
   std::size_t (*select_triangles)(const SelectJob& job, const BinColumns& selected,
                                   SelectCounts& counts);
-  // An opaque draw. draw_small draws into each of `tiles`, which cover the same part of the screen:
-  // one for each sample of a pixel.
+  // For an opaque draw. draw_small draws into each of `tiles`, which cover the same part of the
+  // screen: one for each sample of a pixel.
   void (*draw_small)(const SmallJob& job, TriangleNumbers triangles, std::span<TileBuffer> tiles,
                      FragmentCounts& counts);
   void (*draw_large)(const TriangleSetup& setup, Reference reference, TileBuffer& tile,
                      FragmentCounts& counts);
-  // A draw whose alpha is tested.
+  // For a draw whose alpha is tested.
   DrawKernels<AlphaTest> masked;
-  // An opaque or alpha-tested draw, behind given depths. The tile's points are pixel centres.
+  // For an opaque or alpha-tested draw of which only the fragments behind given depths are drawn.
+  // The tile's sample points are pixel centres.
   DrawKernels<BehindTest> behind;
-  // A blended draw: into the picture, which must already have the colours of what was drawn before.
+  // For a blended draw. It changes the picture, which must already have the colours of everything
+  // drawn before.
   DrawKernels<BlendJob> blended;
   // `tiles`: one for each of job.points, or a single one for pixel centres.
   void (*resolve_tile)(const ResolveJob& job, std::span<TileBuffer> tiles);

@@ -1,4 +1,4 @@
-// The source of fragments' attributes if one large triangle is in all lanes.
+// Computes the attributes of fragments if all lanes show one large triangle.
 
 #if defined(GLASSBOX_LARGE_SOURCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_LARGE_SOURCE_INL_H_
@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// A large triangle's edge functions over a quad. It is used again while neighbouring quads show the
-// same triangle.
+// How a large triangle's edge functions change within a quad. It is used again while neighbouring
+// quads show the same triangle.
 struct LargeShape {
   const LargeTriangle* triangle = nullptr;
   Doubles offsets0[kQuadVectors], offsets1[kQuadVectors], offsets2[kQuadVectors];
@@ -33,7 +33,7 @@ struct LargeShape {
 // The part of a fragment's data that its attributes need.
 struct PointInLargeTriangle {
   const LargeTriangle* triangle = nullptr;
-  Floats weight1, weight2;  // in space, of vertices 1 and 2
+  Floats weight1, weight2;  // barycentric, in space, of vertices 1 and 2
 };
 template <class Self>
 class LargeAttributes {

@@ -23,9 +23,10 @@ struct CodeRange {
   TileDepth nearest = 0, farthest = 0;
 };
 
-// depth[0] is the smallest depth, and no pixel's is smaller (interpolate.h). Rounding may exceed
-// the largest: by four roundings of lambda and four operations, less than 2^-20 of it; and where
-// the products are subnormal, by half of the smallest float for each.
+// depth[0] is the smallest of the vertices' depths, and no pixel's depth is smaller
+// (formulas/interpolate.h). Because of rounding, a pixel's depth may exceed the largest one: by
+// less than 2^-20 of it (four roundings of lambda and four operations), and by half of the smallest
+// float for each product that is subnormal.
 inline CodeRange code_range(const TriangleSetup& setup, DepthFormat format) {
   const float least = setup.depth[0];
   const float largest = std::max({setup.depth[0], setup.depth[1], setup.depth[2]});
@@ -38,8 +39,9 @@ inline CodeRange code_range(const TriangleSetup& setup, DepthFormat format) {
 
 struct LargeEdge {
   EdgeFunction edge;
-  std::int64_t least = 0;  // the smallest value that counts as covered
-  // The differences between a block's smallest and largest value and the value at its first pixel.
+  std::int64_t least = 0;  // a point with a smaller value is outside
+  // Multiplied by side - 1: how far the smallest value in a square of `side` pixels is below the
+  // value at its first pixel (a number <= 0), and how far the largest is above it.
   std::int64_t below = 0, above = 0;
   Doubles offsets[kQuadVectors];
 };
@@ -57,7 +59,8 @@ HWY_INLINE LargeEdge large_edge(const TriangleSetup& setup) {
   return e;
 }
 
-// `shape`: null if the tile keeps all fragments, because then it is not used.
+// Draws one large triangle. `shape` is null if the tile keeps all fragments, because then it is not
+// used.
 template <class Code, class Alpha>
 class LargeRaster {
 public:
@@ -100,7 +103,7 @@ private:
     return at_centres ? setup_.bounds : sampled_bounds(setup_.bounds);
   }
 
-  // Whether every pixel of the block gets a fragment.
+  // Whether every pixel of the square is covered and no fragment is discarded.
   HWY_INLINE static bool fills(Overlap overlap) {
     return Alpha::kKeepsAll && overlap == Overlap::kInside;
   }
@@ -145,9 +148,9 @@ private:
     }
     block.nearest = std::min(block.nearest, codes_.nearest);
     if (whole && fills(overlap)) block.farthest = std::min(block.farthest, codes_.farthest);
-    // Several triangles may cover the block together, each without knowing of the others. So the
-    // farthest depth is computed from the pixels if the next triangles are likely to be behind it,
-    // too.
+    // Several triangles may cover the block together, though none of them covers it alone. So if
+    // this triangle was hidden everywhere, the farthest depth is computed from the pixels: the next
+    // triangles are likely to be hidden, too, and can then be skipped.
     if (counts_.written == written_before) {
       block.farthest = std::min(block.farthest, farthest_in(index));
     }

@@ -20,13 +20,13 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR
 
-// The index of each lane.
+// The table index of each lane, stored as an array.
 struct LaneIndices {
   HWY_INLINE explicit LaneIndices(Ints at) { store(at, lane); }
   HWY_ALIGN std::int32_t lane[kLanes];
 };
 
-// A block is 128 bits, four lanes.
+// In Highway a block is 128 bits: four lanes.
 using DBlock = hn::FixedTag<std::int32_t, 4>;
 
 // Loads four words of 32 bits, beginning at word `at` of a table.

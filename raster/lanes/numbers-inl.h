@@ -33,7 +33,7 @@ inline constexpr std::size_t kLanes = hn::MaxLanes(DF());
 
 // ---- conditions ----
 
-// A condition that is true in some lanes.
+// The result of a comparison: true or false in each lane.
 template <class D>
 struct MaskOf {
   hn::Mask<D> m;
@@ -67,7 +67,7 @@ HWY_INLINE IntMask int_mask(FloatMask a) {
 HWY_INLINE std::size_t count_of(IntMask a) {
   return hn::CountTrue(kI, a.m);
 }
-// Lane i as bit i.
+// Returns an integer whose bit i is lane i.
 HWY_INLINE std::uint64_t bits_of(IntMask a) {
   std::array<std::uint8_t, 8> bytes{};
   hn::StoreMaskBits(kI, a.m, bytes.data());
@@ -127,8 +127,9 @@ HWY_INLINE FloatMask operator!=(Floats a, Floats b) {
 HWY_INLINE Floats select(FloatMask condition, Floats yes, Floats no) {
   return hn::IfThenElse(condition.m, yes.v, no.v);
 }
-// least() and greatest() of base/formulas/common.h: of two equal numbers, and of a NaN and another
-// number, the result is the first. x86's instructions give that with their operands exchanged.
+// least() and greatest() of base/formulas/common.h: if two numbers are equal, or if one is a NaN,
+// the result is the first argument. x86's instructions return the second operand then, so the
+// operands are exchanged.
 HWY_INLINE Floats least(Floats a, Floats b) {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
   return hn::Min(b.v, a.v);
@@ -143,7 +144,7 @@ HWY_INLINE Floats greatest(Floats a, Floats b) {
   return select(a < b, b, a);
 #endif
 }
-// As in base/formulas/common.h, in two instructions.
+// Clamps x to [0, 1], like the function in base/formulas/common.h, in two instructions.
 HWY_INLINE Floats in_unit_range(Floats x) {
   return least(Floats(1.0f), greatest(Floats(0.0f), x));
 }
@@ -245,7 +246,8 @@ HWY_INLINE void store(Ints i, std::int32_t* to) {
   hn::Store(i.v, kI, to);
 }
 
-// AVX2 has an instruction for this, but AMD's processors split it into about 20 operations.
+// Stores only the lanes of `where`. AVX2 has an instruction for this, but AMD's processors split it
+// into about 20 operations.
 HWY_INLINE void store_where(IntMask where, Ints i, std::int32_t* to) {
 #if HWY_TARGET == HWY_AVX2
   store(select(where, i, load(to)), to);
@@ -300,12 +302,12 @@ HWY_INLINE Ints sum_of_products(Ints a, Ints b) {
 HWY_INLINE Floats to_float(Ints i) {
   return hn::ConvertTo(kF, i.v);
 }
-// The same number in all lanes.
+// For an integer that is the same in all lanes.
 HWY_INLINE float to_float(std::int32_t i) {
   return float(i);
 }
-// x must be within the range of the integers. (hn::ConvertTo() has three more instructions, for
-// values outside.)
+// x must be within the range of the integers. (hn::ConvertTo() takes three more instructions, for
+// values outside the range.)
 HWY_INLINE Ints to_integer(Floats x) {
 #if HWY_TARGET == HWY_AVX3
   return hn::Vec<DI>{_mm512_cvttps_epi32(x.v.raw)};

@@ -7,8 +7,8 @@
 
 namespace glassbox {
 
-// From now on best_target() returns this one, which must be available; with std::nullopt it returns
-// the best one again. Nothing may be drawn during the call.
+// From now on best_target() returns `target`, which must be available; with std::nullopt it returns
+// the best available target again. Nothing may be drawn during the call.
 void prefer_target(std::optional<Target> target);
 
 }  // namespace glassbox

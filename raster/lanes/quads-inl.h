@@ -1,4 +1,4 @@
-// A quad of 4 x 4 pixels as vectors.
+// Positions of the pixels of a quad (4 x 4 pixels) and of a block (four quads) as vectors.
 
 #if defined(GLASSBOX_QUADS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_QUADS_INL_H_
@@ -25,7 +25,7 @@ HWY_INLINE Ints quad_rows(std::size_t i) {
   return shifted_right<2>(hn::Iota(kI, std::int32_t(i)));
 }
 
-// Columns and rows of the pixels of a block's vector, within the block.
+// Columns and rows, within a block, of the pixels in one of the block's vectors.
 HWY_INLINE Ints block_columns(std::size_t vector) {
   const auto quad = std::int32_t(vector / kQuadVectors);
   return quad_columns(vector % kQuadVectors * kLanes) + (quad % 2) * kQuadSide;

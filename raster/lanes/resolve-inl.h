@@ -21,8 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// Decides for each block how its pixels are resolved: the fewer things they show, the less is
-// computed for each.
+// Resolves the tile block by block. There are faster functions for blocks that show few triangles.
 template <class Channels>
 class TileResolver {
 public:
@@ -74,8 +73,8 @@ private:
     }
   }
 
-  // A block that is wholly on the screen, of a picture with one sample per pixel and no planes
-  // other than its colours and depths.
+  // Resolves a block that is wholly on the screen, in a framebuffer that has one sample per pixel
+  // and stores only colours and depths.
   HWY_NOINLINE void resolve_block(std::size_t block, int x, int y) {
     if (job_.depth != nullptr) {
       for (int quad = 0; quad < kBlockQuads; ++quad) {
@@ -96,7 +95,8 @@ private:
     rows_.store_colors(colors, x, y);
   }
 
-  // Several samples per pixel, which resolve_tile shades in all channels.
+  // Resolves a block with several samples per pixel. Only AllChannels is used then (resolve_tile in
+  // kernels.cpp).
   HWY_INLINE void resolve_samples(std::size_t block, int x, int y) {
     if constexpr (std::is_same_v<Channels, AllChannels>) {
       SampleResolver(job_, tiles_, shader_).resolve(block, x, y, rows_.color());
@@ -113,8 +113,8 @@ private:
 
   const ResolveJob& job_;
   std::span<TileBuffer> tiles_;
-  TileBuffer& tile_;    // the first of them, or the only one
-  bool shades_blocks_;  // as a whole, if their vectors have something in common
+  TileBuffer& tile_;    // the first of tiles_, or the only one
+  bool shades_blocks_;  // whether a block's vectors may be shaded together
   TileRows rows_;
   VisibleShader<Channels> shader_;
   PlainBlockResolver<Channels> plain_;

@@ -1,4 +1,4 @@
-// Resolves plain blocks: those that show nothing, or one large triangle.
+// Resolves plain blocks: blocks that show only the background, or only one large triangle.
 
 #if defined(GLASSBOX_RESOLVE_PLAIN_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_RESOLVE_PLAIN_INL_H_
@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 template <class Channels>
 class PlainBlockResolver {
 public:
-  // `tiles`: as of Kernels::resolve_tile.
+  // `tiles`: as in Kernels::resolve_tile.
   PlainBlockResolver(const ResolveJob& job, std::span<const TileBuffer> tiles, const TileRows& rows,
                      VisibleShader<Channels>& shader)
       : job_(job),
@@ -31,8 +31,8 @@ public:
         stores_blocks_(job.distance == nullptr && job.id == nullptr && job.samples == nullptr &&
                        (!job.keep_picture || job.points.empty())) {}
 
-  // Whether the block is plain in all tiles, and shows the same. (A triangle that covers all
-  // samples of a pixel covers its centre too, which is between them.)
+  // Whether the block is plain in all tiles, and shows the same triangle in each. (A triangle that
+  // covers all samples of a pixel covers its centre too, which is between the samples.)
   HWY_INLINE bool is_plain(std::size_t block) const {
     const TileBlock& first = tiles_.front().block(block);
     return first.plain && stores_blocks_ &&
@@ -67,7 +67,7 @@ public:
     return one_color_;
   }
 
-  // A block that is wholly on the screen.
+  // Resolves a plain block that is wholly on the screen.
   HWY_INLINE void resolve(std::size_t block, int x, int y) {
     const TileBlock& b = tiles_.front().block(block);
     if (job_.depth != nullptr) rows_.store_plain_depths(block, x, y);
@@ -131,7 +131,7 @@ private:
   const TileRows& rows_;
   VisibleShader<Channels>& shader_;
   std::int32_t mask_;
-  bool stores_blocks_;  // without reading what their pixels have in other planes
+  bool stores_blocks_;  // whether only colours and depths have to be stored
   Reference one_color_reference_ = kNothing;
   std::uint32_t one_color_ = 0;
 };

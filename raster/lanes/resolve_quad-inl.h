@@ -32,7 +32,7 @@ public:
                VisibleShader<Channels>& shader)
       : job_(job), tile_(tile), rows_(rows), shader_(shader), mask_(bytes_of(job.mask)) {}
 
-  // (A function of its own, like that of plain blocks: in one function compilers run out of
+  // (This is not inlined, like the function for plain blocks: in one function compilers run out of
   // registers.)
   HWY_NOINLINE void resolve(std::size_t block, int quad, int x, int y) {
     if (job_.depth != nullptr) rows_.store_depths(block, quad, x, y);
@@ -73,7 +73,7 @@ private:
     if (job_.id != nullptr) load_quad(pixels.id, rows_of(*job_.id), window, x, y);
   }
 
-  // Where in its pixel a fragment is shaded, and where the result is stored.
+  // Says at which point of its pixel a fragment is shaded, and where the result is stored.
   struct ToPixels {
     HWY_INLINE AtCentre shading_point(IntMask) const { return {}; }
     template <class Source>

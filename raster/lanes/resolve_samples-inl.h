@@ -91,9 +91,10 @@ private:
     }
   }
 
-  // Shades pixels k .. k + kLanes - 1 of a quad: the first samples, and the other samples that show
-  // large triangles. Those that show small triangles are collected in `remaining`, because few
-  // lanes have any. `background` is the colour of samples that show nothing.
+  // Shades pixels k .. k + kLanes - 1 of a quad: the first sample of each pixel, and the other
+  // samples that show large triangles. The other samples that show small triangles are only
+  // collected in `remaining`, because few lanes have one; they are shaded later, in full vectors.
+  // `background` is the colour of samples that show nothing.
   template <class Shared>
   HWY_INLINE void shade_samples(std::size_t block, int quad, int x, int y, std::size_t k,
                                 Ints background, const Shared& shared, SampleColors& colors,
@@ -117,8 +118,8 @@ private:
       store(color, colors.at(s) + pixel);
     }
   }
-  // A vector's lanes may be any pixels of the block at (x, y); the small triangle is looked up for
-  // each lane.
+  // Shades the samples that were collected in `remaining`. The lanes of a vector may be any pixels
+  // of the block at (x, y), so the small triangle is looked up for each lane.
   template <class Shared>
   HWY_NOINLINE void shade_remaining(const RemainingSamples& remaining, int x, int y,
                                     const Shared& shared, SampleColors& colors) {
@@ -155,7 +156,7 @@ private:
     }
   }
   // A triangle seen at several of a pixel's samples was shaded at the first of them; its colour is
-  // copied to the others.
+  // copied to the other samples.
   HWY_INLINE void copy_equal_samples(std::size_t block, int quad, std::size_t k,
                                      SampleColors& colors) const {
     const std::size_t pixel = std::size_t(quad) * kQuadPixels + k;
@@ -170,8 +171,8 @@ private:
     }
   }
 
-  // Keeps the samples' colours and all depths for later draws. (This is rare, and so done pixel by
-  // pixel.)
+  // Stores the samples' colours and all depths in job.samples, for later draws. (This is rare, so
+  // it is done pixel by pixel.)
   void store_samples(std::size_t block, int quad, int x, int y, const SampleColors& colors) {
     for (std::size_t s = 0; s < tiles_.size(); ++s) {
       TileBuffer& tile = tiles_[s];

@@ -1,4 +1,4 @@
-// Copies quads of pixels to and from the rows of planes, and rows into the picture.
+// Copies quads of pixels to and from the rows of images, and rows into the picture.
 
 #if defined(GLASSBOX_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_ROWS_INL_H_
@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// The size of a cache line.
+// The size of a cache line in bytes and in words of 32 bits.
 inline constexpr std::ptrdiff_t kLineBytes = 64, kLineWords = kLineBytes / 4;
 
 // Calls work(row, columns) for the quad's rows that are on the screen. Almost all quads are wholly
@@ -38,12 +38,13 @@ HWY_INLINE void for_each_row(const PixelRect& window, int x, int y, const Work& 
   for (int row = 0; row < rows; ++row) work(row, columns);
 }
 
-// The rows into which the tile's pixels of a plane are written: those of the picture, or those of
-// the tile (tile_buffer.h), which are copied to the picture as whole cache lines.
+// The rows of memory into which the tile's colours, depths, distances or triangle numbers are
+// written: rows of the framebuffer's image, or rows of the tile's own memory (tile_buffer.h), which
+// are copied to the image as whole cache lines.
 struct Rows {
   std::uint32_t* first = nullptr;
-  std::ptrdiff_t pitch = 0;  // words
-  int x0 = 0, y0 = 0;        // of the first row
+  std::ptrdiff_t pitch = 0;  // from row to row, in words
+  int x0 = 0, y0 = 0;        // the pixel that `first` points to
 
   std::uint32_t* at(int x, int y) const { return first + (y - y0) * pitch + (x - x0); }
 };
@@ -64,8 +65,8 @@ HWY_INLINE void store_quad(const From* from, const Rows& rows, const PixelRect& 
 }
 
 // Copies rows `from`, `pitch` words apart (0: the same row again), to the picture without going
-// through the cache: nothing of this frame reads them again, and lines that are written whole need
-// not be read.
+// through the cache: no later step of this frame reads them, and cache lines that are written as a
+// whole need not be read first.
 template <class Pixel>
 HWY_INLINE void stream_rows(const std::uint32_t* from, std::ptrdiff_t pitch,
                             const PixelRect& window, Image<Pixel>& image) {

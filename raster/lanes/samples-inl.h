@@ -1,6 +1,6 @@
-// The mean of a pixel's samples, vectorised: mean_color.h has it for one pixel. It is implemented a
-// second time, because vector code looks light up in tables and sums doubles in halves.
-// tests/raster/lanes compares the two.
+// The mean of a pixel's samples, vectorised: mean_color.h computes it for one pixel. It is
+// implemented a second time, because vector code looks light up in tables and sums doubles in
+// half-vectors. tests/raster/lanes compares the two implementations.
 
 #if defined(GLASSBOX_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SAMPLES_INL_H_
@@ -34,9 +34,9 @@ HWY_INLINE Ints byte_at(Ints color) {
   return shifted_right<kShift>(color) & 255;
 }
 
-// (2 sum + count) / (2 count), where count is a power of two. After a shift, bytes 0 and 2 of the
-// colours are each in one half of a 32-bit lane, which has room for the sum of 16 bytes and the
-// rounding.
+// The mean of bytes, (2 sum + count) / (2 count) rounded down, where count is a power of two. After
+// a shift, bytes 0 and 2 of the colours are each in one half of a 32-bit lane, which has room for
+// the sum of 16 bytes and the rounding.
 template <int kShift>
 HWY_INLINE Ints mean_bytes(const SampleColors& colors, std::size_t count, std::size_t k) {
   constexpr std::int32_t kTwoBytes = 0x00ff00ff;
@@ -47,7 +47,7 @@ HWY_INLINE Ints mean_bytes(const SampleColors& colors, std::size_t count, std::s
   return shifted_right(sum, int(std::bit_width(unsigned(count)) - 1)) & kTwoBytes;
 }
 
-// The sum is exact in a double, and so is its quotient by `count`.
+// The mean of light, encoded. The sum is exact in a double, and so is its quotient by `count`.
 template <int kShift>
 HWY_INLINE Ints mean_light(const SampleColors& colors, std::size_t count, std::size_t k) {
   Doubles sum = 0.0;

@@ -35,7 +35,7 @@ HWY_INLINE WordPair gather_pair(const std::int32_t* table, Ints at) {
   return {gather(table, at), gather(table + 1, at)};
 #else
   const LaneIndices indices(at);
-  // Loads two lanes of each block of four.
+  // Loads the words for lanes `first` and `first` + 1 of each block of four lanes.
   const auto two = [&](int first) HWY_ATTR {
     return combine_blocks([&](int block) HWY_ATTR {
       const std::int32_t* at_two = indices.lane + block + first;
@@ -65,8 +65,8 @@ HWY_INLINE auto gather(const T* table, const PerVertex<Ints>& at) {
                                                    gather(table, at[2])};
 }
 
-// Four words of a table, beginning at word `at`, each in a vector of its own; unused ones cost
-// nothing.
+// Four words of a table, beginning at word `at`, each in a vector of its own. A vector that is not
+// used costs nothing.
 struct FourWords {
   Ints first, second, third, fourth;
 };
@@ -75,12 +75,12 @@ HWY_INLINE FourWords gather_four(const std::int32_t* table, Ints at) {
   return {gather(table, at), gather(table + 1, at), gather(table + 2, at), gather(table + 3, at)};
 #else
   const LaneIndices indices(at);
-  // Loads one lane of each block of four.
+  // Loads the four words for lane `first` of each block of four lanes.
   const auto one = [&](int first) HWY_ATTR {
     return combine_blocks([&](int block)
                               HWY_ATTR { return four_words(table, indices.lane[block + first]); });
   };
-  // Transposed within each block, as a matrix of 4 x 4.
+  // Transposes each block as a 4 x 4 matrix.
   const auto a = one(0), b = one(1), c = one(2), d = one(3);
   const auto ac = hn::InterleaveLower(kI, a, c), more_ac = hn::InterleaveUpper(kI, a, c);
   const auto bd = hn::InterleaveLower(kI, b, d), more_bd = hn::InterleaveUpper(kI, b, d);
@@ -89,7 +89,7 @@ HWY_INLINE FourWords gather_four(const std::int32_t* table, Ints at) {
 #endif
 }
 
-// Columns of the screen's table, at the triangles' vertices.
+// The entries of the screen's table for the triangles' vertices: one vector for each member.
 struct ScreenColumns {
   PerVertex<Ints> x, y;
   PerVertex<Floats> z, inverse_w;
@@ -110,10 +110,10 @@ struct ScreenColumns {
 
 // The order of the vertices in setup_triangle(): clockwise, beginning with the one of smallest
 // depth. It is implemented a second time, because vector code selects where code for one triangle
-// sorts. tests/raster/lanes compares the two.
+// sorts. tests/raster/lanes compares the two implementations.
 struct VertexOrder {
   IntMask swapped;                  // vertices 1 and 2 were exchanged
-  IntMask from_second, from_third;  // then rotated to begin with that vertex
+  IntMask from_second, from_third;  // then rotated to begin with vertex 1 or 2
 };
 
 HWY_INLINE VertexOrder vertex_order(Ints area, const PerVertex<Floats>& z) {
@@ -178,8 +178,8 @@ HWY_INLINE Ints largest(const PerVertex<Ints>& v) {
   return greatest(v[0], greatest(v[1], v[2]));
 }
 
-// The largest value of an edge function that counts as outside: -1 for a top or left edge, 0 for
-// others.
+// The largest value of an edge function at points outside the triangle: -1 for a top or left edge,
+// 0 for other edges.
 HWY_INLINE Ints outside_up_to(const EdgeSlopes<Ints>& edge) {
   return 0 - one_where(owns_its_points(edge));
 }

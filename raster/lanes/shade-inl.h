@@ -46,7 +46,7 @@ struct DrawTextures {
 // The place at which a texture is sampled.
 struct TexturePoint {
   Float2 texcoord;
-  Floats level_of_detail;  // set for samplers that do not use the base level alone
+  Floats level_of_detail;  // not set if the sampler uses only the base level
 };
 
 template <class Source>
@@ -154,7 +154,8 @@ HWY_INLINE SurfaceOf<Channels> shaded_surface(const ShadeDraw& draw, const DrawT
       TexelsOfSource<Channels, Source>{channels, draw, textures, source});
 }
 
-// The colour alone, for callers that shade fewer pixels than resolving does: compiled only once.
+// Computes only the colour. It is not inlined, so it is compiled once for all callers that shade
+// only a few pixels.
 template <class Channels, class Source>
 HWY_NOINLINE ColorOf<Channels> shaded_color_by_call(const ShadeDraw& draw,
                                                     const DrawTextures& textures,
@@ -162,7 +163,8 @@ HWY_NOINLINE ColorOf<Channels> shaded_color_by_call(const ShadeDraw& draw,
   return shaded_surface<Channels>(draw, textures, job, source).color;
 }
 
-// Packs a colour's bytes into one integer, opaque; channels that are not wanted are 0.
+// Encodes a colour and packs its bytes into one integer with alpha 255. Channels that are not in
+// job.channels are 0.
 HWY_INLINE Ints encoded(const Rgb& color, const ResolveJob& job) {
   const auto byte = [&](bool wanted, Floats channel)
                         HWY_ATTR { return wanted ? encode(job.transfer, channel) : Ints(0); };
@@ -221,9 +223,10 @@ inline bool stores_linear_light(const ResolveJob& job) {
   return job.transfer == Transfer::kNone && job.channels.r && job.channels.g && job.channels.b;
 }
 
-// A vector of textured pixels waits for gathers and divisions, one after the other, as long as all
-// its other work takes; and it has more instructions than the processor looks ahead. So each step
-// is done for several vectors in turn: while one waits, the next ones are computed.
+// Shades vectors of textured pixels. A single vector would wait for gathers and divisions, one
+// after the other, for as long as all its other work takes; and its computation has more
+// instructions than the processor looks ahead. So each step is done for several vectors in turn:
+// while one waits, the next ones are computed.
 template <class Channels, class Source, class SourceOf>
 HWY_INLINE void shade_in_steps(const ShadeDraw& draw, const DrawTextures& textures,
                                const ResolveJob& job, std::size_t count, const SourceOf& source_of,
@@ -256,8 +259,9 @@ HWY_INLINE void shade_in_steps(const ShadeDraw& draw, const DrawTextures& textur
   }
 }
 
-// Computes the colours of `count` vectors, at most kBlockVectors; source_of(i) makes their sources.
-// Without textures the steps would cost more than the waiting.
+// Computes the colours of `count` vectors, at most kBlockVectors; source_of(i) makes the source of
+// vector i. Vectors without textures wait less, so they are not shaded in steps, which would cost
+// more time than they save.
 template <class Channels, class Source, class SourceOf>
 HWY_INLINE void shade_vectors(const ShadeDraw& draw, const DrawTextures& textures,
                               const ResolveJob& job, std::size_t count, const SourceOf& source_of,

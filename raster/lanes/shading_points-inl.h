@@ -1,5 +1,5 @@
-// Where in its pixel a fragment is shaded: at the centre with one sample per pixel; with several,
-// at a point that the triangle covers.
+// Classes that say where in its pixel a fragment is shaded: at the centre with one sample per
+// pixel; with several samples, at a point that the triangle covers.
 
 #if defined(GLASSBOX_SHADING_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SHADING_POINTS_INL_H_
@@ -23,14 +23,14 @@ struct AtCentre {
   HWY_INLINE void move_edges(const TriangleSetup&, std::array<Doubles, 3>&) const {}
 };
 
-// With several samples: at the centre if the triangle covers it, otherwise at the first sample that
-// it covers (shading_point() of samples.h).
+// With several samples, a fragment is shaded at the centre if the triangle covers it, otherwise at
+// the first sample that the triangle covers (shading_point() of samples.h).
 struct AtSamples {
   std::span<const SampleOffset> points;
-  IntMask lanes;  // the lanes that show the triangle; the others need not be moved
+  IntMask lanes;  // the lanes that show the triangle; other lanes need not be moved
 
-  // For small triangles: moves the edge functions from the centre to the shading point. (Edge 0 is
-  // the area minus the other two.)
+  // For small triangles: moves the edge functions from the centre to the shading point. (Edge
+  // function 0 is the area minus edge functions 1 and 2.)
   HWY_INLINE void move_edges(const std::array<EdgeSlopes<Ints>, 3>& edges, Ints area, Ints& e1,
                              Ints& e2) const {
     const Ints above0 = outside_up_to(edges[0]), above1 = outside_up_to(edges[1]),
@@ -51,7 +51,7 @@ struct AtSamples {
     }
   }
 
-  // The same for a large triangle.
+  // For a large triangle: moves the edge functions from the centre to the shading point.
   HWY_INLINE void move_edges(const TriangleSetup& setup, std::array<Doubles, 3>& e) const {
     const auto covered = [&](const SampleOffset& point) HWY_ATTR {
       IntMask all = first_lanes(kLanes);

@@ -1,5 +1,5 @@
-// Small triangles that are seen at the samples of a block, and the data that shading needs of them:
-// gathered for each sample, or once for the block if they are few.
+// Finds the small triangles that are seen at the samples of a block. If they are few, the data that
+// shading needs of them is gathered once for the block, otherwise for each sample.
 
 #if defined(GLASSBOX_SHARED_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SHARED_SAMPLES_INL_H_
@@ -36,8 +36,8 @@ struct RemainingSamples {
   HWY_ALIGN std::int32_t color_indices[kMost];
 };
 
-// The small triangles that came to a block at any of its samples; none if they are more than there
-// are lanes.
+// The small triangles that were drawn into a block at any of its samples. The list is empty if
+// there are more triangles than lanes.
 struct TrianglesAtSamples {
   HWY_INLINE TrianglesAtSamples(std::span<const TileBuffer> tiles, std::size_t block) {
     for (const TileBuffer& tile : tiles) {
@@ -65,11 +65,13 @@ private:
   }
 };
 
-// Gathers the data of what is seen for each sample of a block ...
+// For blocks that show many triangles: shade() does nothing, so their data is gathered for each
+// sample.
 struct NoSharedTriangles {
   HWY_INLINE void shade(const ResolveJob&, Ints, Ints, Ints, IntMask&, Ints&) const {}
 };
-// ... or once for the block, if all of it shows a few triangles of one draw.
+// For blocks that show few triangles: the data of the triangles of one draw is gathered once for
+// the block.
 struct SharedTrianglesAtSamples {
   HWY_INLINE SharedTrianglesAtSamples(const ShadeDraw& draw, const TrianglesAtSamples& of_block,
                                       int x, int y)
@@ -89,7 +91,8 @@ struct SharedTrianglesAtSamples {
   }
 
 private:
-  // References minus the draw's first; unused lanes get 0, the draw's first.
+  // The triangles' references minus the draw's first reference. Unused lanes get 0, the draw's
+  // first triangle.
   HWY_INLINE static Ints triangles_of(const ShadeDraw& draw, const TrianglesAtSamples& listed) {
     const Ints r = listed.references, first = std::int32_t(draw.first_reference);
     return select(r >= first && r < std::int32_t(draw.end_reference), r - first, 0);

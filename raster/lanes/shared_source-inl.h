@@ -1,6 +1,6 @@
-// The source of fragments' attributes if the pixels of a block share a few small triangles. What
-// shading needs of a triangle is gathered and computed once, with a triangle in every lane; then
-// each pixel looks up its own triangle.
+// Computes the attributes of fragments if the pixels of a block show only a few small triangles.
+// The data of the triangles is gathered and computed once, with one triangle in every lane; then
+// each pixel looks up the data of its own triangle.
 
 #if defined(GLASSBOX_SHARED_SOURCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SHARED_SOURCE_INL_H_
@@ -30,11 +30,11 @@ struct AttributeDifferences {
   }
 };
 
-// Small triangles of a draw, one in each lane, relative to the first pixel of a block. It has those
-// attributes that the draw has.
+// Small triangles of a draw, one in each lane, relative to the first pixel of a block. Only the
+// attributes that the draw has are set.
 struct SharedTriangles {
   const ShadeDraw* draw;
-  Ints e1, e2;                        // at the pixel's centre
+  Ints e1, e2;                        // edge functions at the first pixel's centre
   Ints right1, right2, down1, down2;  // the change of e1 and e2 from one pixel to the next
   Ints area;
   Floats inverse_area;
@@ -45,10 +45,11 @@ struct SharedTriangles {
   AttributeDifferences<2> texcoord;
   TexturePlanesOf<Floats> texture_planes;
 
-  // Not for draws that are lit at the vertices, because there the faces influence what pixels show.
+  // Whether pixels of the draw may be shaded in this way. Draws that are lit at the vertices may
+  // not, because their light may be that of a whole face, which is not stored here.
   static bool can_share(const ShadeDraw& draw) { return draw.light != LightAt::kVertices; }
 
-  // `reference`: the triangle's reference minus the draw's first.
+  // `reference`: the triangle's reference minus the draw's first reference.
   HWY_INLINE SharedTriangles(const ShadeDraw& of_draw, Ints reference, int x, int y)
       : draw(&of_draw) {
     const SmallFragments at{point_in_small_triangle(of_draw, reference), {}};
@@ -81,7 +82,7 @@ struct SharedTriangles {
 struct PointInSharedTriangle {
   const SharedTriangles* triangles = nullptr;
   Ints lane;                // the lane of the pixel's triangle
-  Floats weight1, weight2;  // in space, of vertices 1 and 2
+  Floats weight1, weight2;  // barycentric, in space, of vertices 1 and 2
 };
 template <class Self>
 class SharedAttributes {
@@ -96,7 +97,7 @@ public:
   HWY_INLINE Rgb color() const { return interpolated(self().triangles->color); }
   HWY_INLINE Floats alpha() const { return interpolated(self().triangles->alpha)[0]; }
   HWY_INLINE Float2 texcoord() const { return interpolated(self().triangles->texcoord); }
-  // (SharedTriangles::can_share)
+  // SharedTriangles::can_share excludes draws that are lit at the vertices.
   static constexpr bool is_lit_at_vertices(const ShadeDraw&) { return false; }
   HWY_INLINE ReflectionOf<Floats> light_of_vertices(const ShadeDraw&, const Lighting&) const {
     return {};
@@ -126,7 +127,7 @@ private:
 };
 struct SharedFragments : PointInSharedTriangle, SharedAttributes<SharedFragments> {};
 
-// Pixels at columns and rows of the block.
+// The fragments in the pixels at given columns and rows of the block.
 class SharedSource : public PointInSharedTriangle, public SharedAttributes<SharedSource> {
 public:
   using Fragments = SharedFragments;

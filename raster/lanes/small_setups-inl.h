@@ -20,12 +20,12 @@ HWY_BEFORE_NAMESPACE();
 namespace glassbox {
 namespace HWY_NAMESPACE {
 
-// Triangles are set up in batches of this size: so the cache lines of the tables are being fetched
-// for all of them before the first one is drawn.
+// Triangles are set up in batches of this size. So the table entries of all triangles of a batch
+// are being fetched from memory at the same time, before the first triangle is drawn.
 inline constexpr std::size_t kSmallBatch = 64;
 
-// A batch of small triangles, set up: one column for each triangle. Edges 1 and 2 are stored; edge
-// 0 is the area minus the other two.
+// A batch of small triangles, set up: one column for each triangle. Edge functions 1 and 2 are
+// stored; edge function 0 is the area minus these two.
 struct SmallSetups {
   template <class T>
   using Row = T[kSmallBatch];
@@ -42,10 +42,10 @@ struct SmallSetups {
   // Edge functions at the centre of the tile's first pixel.
   HWY_ALIGN Row<std::int32_t> origin1, origin2;
 
-  // Where the triangle begins, for the sample point that the tile is for.
-  HWY_ALIGN Row<std::int32_t> x0, y0, x1, y1;  // quads of the tile, x1 and y1 excluded
-  HWY_ALIGN Row<std::int32_t> e1, e2;          // at the first pixel of the first quad
-  HWY_ALIGN Row<std::int32_t> is_tiny;         // covers hardly more than one quad
+  // The triangle's part of the tile, for the point of each pixel that the tile stores.
+  HWY_ALIGN Row<std::int32_t> x0, y0, x1, y1;  // in quads of the tile; x1, y1 are excluded
+  HWY_ALIGN Row<std::int32_t> e1, e2;   // edge functions at the first pixel of the first quad
+  HWY_ALIGN Row<std::int32_t> is_tiny;  // its box is less than 5 x 5 pixels
 
   // A mask of the quads that the triangle may cover, for boxes that touch at most 4 x 4 quads: bit
   // 4 y + x. `wide` marks the triangles with larger boxes: bit t for triangle t.
@@ -53,7 +53,7 @@ struct SmallSetups {
   std::uint64_t wide;
 };
 static_assert(kSmallBatch <= 64);
-inline constexpr std::int32_t kMaskSide = 4;  // quads
+inline constexpr std::int32_t kMaskSide = 4;  // of SmallSetups::quads, in quads
 
 HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& window, SmallSetups& to,
                        std::size_t at) {
@@ -93,8 +93,8 @@ HWY_INLINE void set_up(const SmallJob& job, Ints triangle, const PixelRect& wind
   store(z[2] - z[0], to.depth2 + at);
 }
 
-// The points of a pixel at which triangles are tested: one point, at which the edge functions are
-// stored ...
+// For triangles that are tested at one point of each pixel. The edge functions are stored for this
+// point.
 struct AtOnePoint {
   SampleOffset point;
 
@@ -103,13 +103,14 @@ struct AtOnePoint {
   std::int32_t top() const { return point.y; }
   std::int32_t bottom() const { return point.y; }
   SampleOffset edges_at() const { return point; }
-  // How much larger an edge function is at most at another point.
+  // By how much an edge function can be larger at another tested point: there is no other one.
   template <class I>
   HWY_INLINE I rise(I, I) const {
     return 0;
   }
 };
-// ... or several, whose extremes are stored here; the edge functions are stored for the centre.
+// For triangles that are tested at several points of each pixel, whose extremes are stored here.
+// The edge functions are stored for the pixel's centre.
 struct AtSomePoints {
   explicit AtSomePoints(std::span<const TileBuffer> tiles) {
     for (const TileBuffer& tile : tiles) {
@@ -138,7 +139,8 @@ struct AtSomePoints {
 };
 
 // For kLanes triangles: an edge function at the pixel of a quad where it is largest, minus the
-// largest value that counts as outside.
+// largest value outside the triangle. If it is positive, the quad may have a pixel inside this
+// edge.
 struct GreatestInQuad {
   template <class Points>
   HWY_INLINE GreatestInQuad(const Points& points, Ints at_first_pixel, Ints right_slope,
@@ -154,8 +156,8 @@ struct GreatestInQuad {
   Ints right, down, here;
 };
 
-// Finds the quads that the `live` ones of kLanes triangles may cover: those that have a pixel on
-// the inner side of each edge.
+// Finds the quads that kLanes triangles may cover: quads that have, for each edge, a pixel on its
+// inner side. Only triangles in `live` lanes are examined.
 template <class Points>
 HWY_INLINE void find_quads(const Points& points, SmallSetups& s, std::size_t at, IntMask live) {
   const Ints across = load(s.x1 + at) - load(s.x0 + at), high = load(s.y1 + at) - load(s.y0 + at);
@@ -192,8 +194,8 @@ HWY_INLINE void find_quads(const Points& points, SmallSetups& s, std::size_t at,
   store_int16(quads, s.quads + at);
 }
 
-// The same for one triangle, wide or not, and the 4 x 4 quads of its box that begin at column x,
-// row y: one quad in each lane.
+// Finds which quads one triangle may cover among the 4 x 4 quads of its box that begin at column x,
+// row y: one quad in each lane. The box may have more columns and rows of quads.
 template <class Points>
 HWY_INLINE std::uint32_t find_quads_from(const Points& points, const SmallSetups& s, std::size_t t,
                                          std::int32_t x, std::int32_t y) {
@@ -219,9 +221,10 @@ HWY_INLINE std::uint32_t find_quads_from(const Points& points, const SmallSetups
   return quads;
 }
 
-// Computes where kLanes triangles, some of which are `live`, begin in the tile whose part of the
-// screen is `window`. (An edge function at the tile's first pixel may not fit in 32 bits. At the
-// triangle's own pixels it fits, and sums that wrap around still give the right value there.)
+// Computes which part of the tile, whose pixels on the screen are `window`, kLanes triangles may
+// cover, and their edge functions there. Only lanes in `live` hold a triangle. (An edge function at
+// the tile's first pixel may not fit in 32 bits. At the triangle's own pixels it fits, and sums
+// that wrap around still give the right value there.)
 template <class Points>
 HWY_INLINE void place_in_tile(const PixelRect& window, const Points& points, SmallSetups& s,
                               std::size_t at, IntMask live) {

@@ -1,4 +1,4 @@
-// The source of fragments' attributes if there is a small triangle in every lane.
+// Computes the attributes of fragments if there is a small triangle in every lane.
 
 #if defined(GLASSBOX_SMALL_SOURCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SMALL_SOURCE_INL_H_
@@ -37,10 +37,10 @@ struct PointInSmallTriangle {
   Ints triangle;
   VertexOrder order;
   PerVertex<Ints> vertices;
-  Floats weight1, weight2;  // in space, of vertices 1 and 2
+  Floats weight1, weight2;  // barycentric, in space, of vertices 1 and 2
 };
 
-// The attributes, for any class that has the members of PointInSmallTriangle.
+// Computes the attributes for a derived class `Self` that has the members of PointInSmallTriangle.
 template <class Self>
 class SmallAttributes {
 public:
@@ -162,7 +162,7 @@ private:
   HWY_INLINE Float3 facing(const Float3& n) const {
     if (!self().draw->shows_backs) return n;
     // Triangles that are counter-clockwise on the screen show their front; if the draw is mirrored,
-    // their back.
+    // they show their back.
     const FloatMask back =
         float_mask(self().draw->mirrored ? self().order.swapped : !self().order.swapped);
     return normal_facing_viewer(back, n);
@@ -220,12 +220,12 @@ HWY_INLINE PointInSmallTriangle point_in_small_triangle(const ShadeDraw& draw, I
   return point;
 }
 
-// A triangle in every lane, each at a pixel of its own.
+// Fragments of small triangles: every lane has a triangle and a pixel of its own.
 class SmallSource : public PointInSmallTriangle, public SmallAttributes<SmallSource> {
 public:
   using Fragments = SmallFragments;
 
-  // `reference`: the reference of the lane's triangle minus the draw's first.
+  // `reference`: the reference of the lane's triangle minus the draw's first reference.
   template <class ShadingPoint>
   HWY_INLINE SmallSource(const ShadeDraw& of_draw, Ints reference, Ints pixel_x, Ints pixel_y,
                          const ShadingPoint& point)

@@ -1,5 +1,5 @@
-// Draws small triangles into a tile. As many as there are lanes are set up at once; then each is
-// drawn quad by quad over the quads of pixels that it may cover.
+// Draws small triangles into a tile. As many triangles as there are lanes are set up at once; then
+// each triangle is drawn quad by quad, over the quads that it may cover.
 
 #if defined(GLASSBOX_SMALL_TRIANGLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_SMALL_TRIANGLES_INL_H_
@@ -41,7 +41,9 @@ struct TilePixels {
   std::size_t blocks_across;
 };
 
-// Called before anything of a quad is in registers, because the call would spill them.
+// Prepares a block for drawing: stores its pixels if it is plain, and resets the bound of its
+// nearest depth. This is done before a quad's data is loaded into registers, because the call of
+// fill_block would spill them.
 HWY_INLINE void prepare_block(TileBuffer& tile, TileBlock& block, std::size_t index) {
   if (HWY_UNLIKELY(block.plain)) fill_block(tile, index);
   block.nearest = kNearestTileDepth;
@@ -56,7 +58,8 @@ HWY_INLINE void list_triangle(TileBlock& block, BlockTriangles& list, Reference 
   block.listed = at;
 }
 
-// Adds triangle t of the batch. A tiny triangle is not listed; the list is then marked as too long.
+// Adds triangle t of the batch to the block's list. A tiny triangle is not added, because few
+// pixels show it; instead the list is marked as too long.
 HWY_INLINE void list_triangle(const SmallSetups& setups, std::size_t t, std::size_t block,
                               const TilePixels& pixels) {
   if (setups.is_tiny[t] != 0) {
@@ -84,12 +87,12 @@ struct SmallTriangleInLanes {
         depth2(s.depth2[t]) {}
 
   Ints slopes1, slopes2, area, above0, above1, above2, reference;
-  Ints first1, first2;  // edges at the first pixel of the first quad
+  Ints first1, first2;  // edge functions at the first pixel of the first quad
   Floats inverse_area, depth0, depth1, depth2;
 };
 
-// Counts pixels, in each lane separately where a mask is a vector. (8192 triangles of 289 quads
-// with 16 samples give less than 2^27.)
+// Counts pixels: in each lane separately on processors where a mask is a vector. (The 32 bits of a
+// lane are enough: 8192 triangles of 289 quads with 16 samples give less than 2^27.)
 struct LaneCounter {
   HWY_INLINE LaneCounter() : lanes(0) {}
   HWY_INLINE void add(IntMask pixels) {
@@ -114,7 +117,7 @@ struct SmallCounts {
   FragmentCounts others;
 };
 
-// Draws triangle t over the quad in column x, row y of those that its box touches.
+// Draws triangle t over one quad: column x, row y of the quads that the triangle's box touches.
 template <bool kPartlyOffScreen, class Code, class Alpha>
 HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y,
                           const Code& code_of, const Alpha& alpha, const TilePixels& pixels,
@@ -178,15 +181,15 @@ struct TileSamples {
     TileDepth* depth;
     std::int32_t* seen;
     TileBlock* blocks;
-    std::int32_t point;  // a pair (pair_of())
+    std::int32_t point;  // its offset, x and y as a pair (pair_of())
   };
   std::span<TileBuffer> tiles;
   TilePixels front;
   Sample samples[kMostSamples];
 };
 
-// The same at all samples of the quad's pixels. The difference of an edge function between a
-// pixel's centre and a sample is the same for all pixels.
+// Draws triangle t over one quad, at all samples of the quad's pixels. The difference of an edge
+// function between a pixel's centre and a sample is the same for all pixels.
 template <class Code>
 HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t x, std::size_t y,
                           const Code& code_of, const TileSamples& pixels, SmallCounts& counts) {
@@ -234,7 +237,8 @@ HWY_INLINE void draw_quad(const SmallSetups& setups, std::size_t t, std::size_t 
 
 // Calls draw(t, x, y) for the quads of one triangle after the other, in the order of the batch. The
 // processor cannot predict how many quads a triangle has, and which ones. So the quads of several
-// triangles are the bits of one word, and the only branch is at its end.
+// triangles are the bits of one word, and the only branch that depends on them is the one at the
+// end of the word.
 template <class Points, class Draw>
 HWY_INLINE void for_each_quad(const SmallSetups& s, std::size_t live, const Points& points,
                               const Draw& draw) {
@@ -299,7 +303,7 @@ HWY_INLINE void draw_all(const SmallJob& job, TriangleNumbers triangles, const C
                      draw_quad<kPartlyOffScreen>(setups, t, x, y, code_of, alpha, pixels, counts);
                    });
 }
-// The same at several samples of each pixel.
+// Draws the triangles at several samples of each pixel.
 template <class Code>
 HWY_INLINE void draw_all(const SmallJob& job, TriangleNumbers triangles, const Code& code_of,
                          std::span<TileBuffer> tiles, SmallCounts& counts) {
@@ -315,8 +319,8 @@ HWY_INLINE void draw_small(const SmallJob& job, TriangleNumbers triangles, const
   SmallCounts own;
   TileBuffer& tile = tiles.front();
   with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
-    // The alpha test and samples cost more than testing for the screen's edge, so for them one loop
-    // serves both cases.
+    // With an alpha test or samples, testing for the screen's edge costs little in comparison. So
+    // one loop is used for tiles within the screen and at its edge; only opaque draws have two.
     if constexpr (Alpha::kKeepsAll) {
       if (tiles.size() > 1) return draw_all(job, triangles, code_of, tiles, own);
       if (!tile.is_partly_off_screen()) {

@@ -1,4 +1,5 @@
-// The table of images/srgb.h in a form for vector look-ups: all of a bucket in one entry.
+// The table of images/srgb.h in a form for vector look-ups: all data of a bucket (the floats with
+// the same upper 16 bits) is in one entry.
 #pragma once
 
 #include <array>
@@ -10,9 +11,9 @@
 
 namespace glassbox {
 
-// The number to add to the lower half of a float's bits so that the upper half becomes its code. It
-// is the code of the bucket's lowest float, plus a number that makes a float at or above the
-// bucket's threshold, if there is one, carry into the next code.
+// For each bucket, the number to add to the lower half of a float's bits: the upper half of the sum
+// is the float's sRGB code. It is the code of the bucket's lowest float, plus a number that makes a
+// float at or above the bucket's threshold, if there is one, carry into the next code.
 inline constexpr auto kSrgbCarry = [] {
   using namespace srgb_detail;
   static_assert(kBucketShift == 16);

@@ -27,8 +27,8 @@ constexpr std::array<TargetInfo, 5> kKnownTargets{{{Target::kScalar, "scalar", H
                                                    {Target::kAvx512, "avx512", HWY_AVX3},
                                                    {Target::kNeon, "neon", HWY_NEON}}};
 
-// Cached, because Highway queries the processor in every call, and on a virtual machine each of
-// these instructions is handled by the host.
+// The result is cached, because Highway queries the processor in every call, and on a virtual
+// machine each of these instructions is handled by the host.
 std::int64_t supported_targets() {
   static const std::int64_t supported = hwy::SupportedTargets() | HWY_SCALAR;
   return supported;

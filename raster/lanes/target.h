@@ -1,5 +1,5 @@
-// The instruction sets that the vectorised code can be compiled for. All of them give the same
-// bytes.
+// The instruction sets that the vectorised code can be compiled for. Pictures are the same with all
+// of them, byte for byte.
 #pragma once
 
 #include <optional>

@@ -70,8 +70,8 @@ public:
   }
 
 private:
-  // A chain hardly ever has more levels than the longest vectors have lanes; then the table of all
-  // levels is one vector.
+  // A mip chain hardly ever has more levels than the longest vectors have lanes. So the table of
+  // all levels fits in one vector.
   HWY_INLINE Ints first_of(Ints level) const {
     if constexpr (kLanes == 16) {
       if (HWY_LIKELY(last_level_ < int(kLanes))) {
@@ -89,7 +89,7 @@ private:
   std::int32_t width_, height_, last_level_;
 };
 
-// The same as sample_texture(), for samplers that use the base level alone.
+// Does the same as sample_texture(), for samplers that use only the base level.
 template <class Channels>
 HWY_INLINE typename Channels::Texels sample_base(const TextureInLanes<Channels>& texels,
                                                  const Sampler& sampler,

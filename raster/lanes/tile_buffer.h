@@ -1,16 +1,16 @@
 // A tile of the screen while it is drawn: small enough to stay in the cache of the core that draws
 // it.
 //
-// It stores one point of each pixel: the centre, or one of the pixel's samples (then there is a
-// buffer for each sample).
+// It stores what is seen at one point of each pixel: the centre, or one of the pixel's samples
+// (then there is a buffer for each sample).
 //
 // Pixels are stored in blocks of 8 x 8, each of four quads of 4 x 4. So a quad's 16 pixels are one
 // vector on the widest processors and several vectors on the others.
 //
 // A block is `plain` if one triangle covers it wholly, in front of all that was there. It stores
-// the triangle's reference and the range of its depths; its pixels are filled in only when
-// something else is drawn into the block, or needs them. A cleared block is plain too, with the
-// reference kNothing.
+// the triangle's reference and the range of its depths; its pixels are stored only when something
+// else is drawn into the block, or when they are needed one by one. A cleared block is plain too,
+// with the reference kNothing.
 #pragma once
 
 #include <algorithm>
@@ -70,23 +70,23 @@ private:
 };
 
 struct TileBlock {
-  TileDepth nearest = kEmptyTileDepth;   // no pixel of the block is nearer ...
-  TileDepth farthest = kEmptyTileDepth;  // ... or farther
+  TileDepth nearest = kEmptyTileDepth;   // no pixel of the block is nearer than this
+  TileDepth farthest = kEmptyTileDepth;  // no pixel of the block is farther than this
   bool plain = true;
   // The triangle that covers a plain block, and the setup that its depths come from; null if all
   // pixels have the same depth.
   Reference reference = kNothing;
   const TriangleSetup* triangle = nullptr;
-  // How many small triangles came to the block, including those that large ones have hidden since.
-  // kTooMany also if one of them was tiny.
+  // How many small triangles were drawn into the block (BlockTriangles), including triangles that
+  // are hidden by now. It is kTooMany if there are more than kMost, or if one of them was tiny.
   std::uint32_t listed = 0;
 };
 
-// The small triangles that came to a block, if they are few.
+// The small triangles that were drawn into a block, if they are few.
 struct BlockTriangles {
   static constexpr std::uint32_t kMost = 16, kTooMany = kMost + 1;
-  // Entries start at 1, in the order in which the triangles came. Entry 0 is always empty; the last
-  // entry is any one of those that are too many.
+  // Entries start at 1, in the order of drawing. Entry 0 is always empty. All triangles after the
+  // first kMost are written to the last entry.
   Reference references[kTooMany + 1] = {};
 };
 
@@ -157,7 +157,7 @@ public:
   Reference* reference() { return reference_.get(); }
   const Reference* reference() const { return reference_.get(); }
 
-  // A row of blocks in the layout of the picture: kBlockSide rows of `side` pixels.
+  // Memory for a row of blocks in the layout of the picture: kBlockSide rows of `side` pixels.
   std::uint32_t* color_rows() { return color_rows_.get(); }
   std::uint32_t* depth_rows() { return depth_rows_.get(); }
 

@@ -1,4 +1,4 @@
-// Where a tile's resolved colours and depth codes are stored, and how they get into the picture.
+// Stores a tile's resolved colours and depth codes, and copies them to the picture.
 
 #if defined(GLASSBOX_TILE_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_TILE_ROWS_INL_H_
@@ -21,8 +21,8 @@ inline std::uint32_t stored_code(TileDepth depth) {
   return depth == kEmptyTileDepth ? kEmptyDepth : std::uint32_t(depth);
 }
 
-// Takes the channels of `mask` from `color` and the others from `before`, the pixel's previous
-// value.
+// Takes the channels of `mask` from `color` and the other channels from `before`, the pixel's
+// previous colour.
 HWY_INLINE Ints merged_channels(Ints color, Ints before, std::int32_t mask) {
   return (color & mask) | (before & ~mask);
 }
@@ -45,7 +45,8 @@ public:
 
   const Rows& color() const { return color_; }
 
-  // Blocks whose first row is y are stored next. The tile has memory for one row of blocks.
+  // Prepares for storing the blocks whose first row is y: the tile has memory for only one row of
+  // blocks.
   void begin_blocks(int y) {
     if (streams_color_ && job_.tile_colors == nullptr) color_.y0 = y;
     depth_.y0 = y;
@@ -74,7 +75,7 @@ public:
       return;
     }
     for (int quad = 0; quad < kBlockQuads; ++quad) {
-      // g++ 14 cannot see that all entries are loaded.
+      // The array is initialised, because g++ 14 cannot see that all entries are loaded.
       HWY_ALIGN std::int32_t of_quad[kQuadPixels] = {};
       load_quad(of_quad, color_, tile_.window(), x + (quad % 2) * kQuadSide,
                 y + (quad / 2) * kQuadSide);
@@ -99,7 +100,7 @@ public:
 
   // ---- depth codes ----
 
-  // Stores those of a plain block that is wholly on the screen, without filling it in.
+  // Stores the depth codes of a plain block that is wholly on the screen. The block stays plain.
   HWY_NOINLINE void store_plain_depths(std::size_t block, int x, int y) const {
     const TileBlock& b = tile_.block(block);
     if (b.triangle == nullptr) {
@@ -113,7 +114,8 @@ public:
       store_quad(codes, depth_, tile_.window(), qx, qy);
     }
   }
-  // Stores those of a quad. A plain block whose depths differ is filled in first.
+  // Stores the depth codes of a quad. If its block is plain and the block's depths differ, the
+  // block's pixels are computed first.
   HWY_INLINE void store_depths(std::size_t block, int quad, int x, int y) const {
     if (tile_.block(block).triangle != nullptr) make_plain_block_full(tile_, block);
     const TileBlock& b = tile_.block(block);
@@ -139,7 +141,7 @@ private:
 
   const ResolveJob& job_;
   TileBuffer& tile_;
-  bool streams_color_;  // by whole rows, from the tile's memory
+  bool streams_color_;  // copies colours by whole rows, from the tile's memory
   Rows color_, depth_;
 };
 

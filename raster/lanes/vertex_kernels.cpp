@@ -67,8 +67,9 @@ struct ClipFloats {
   Floats x, y, z, w;
 };
 
-// Whether p is inside every plane that rendering clips by, with room to spare for the guard band.
-// False for NaN and infinity. This function tests all planes except those of x.
+// Whether p is inside every plane that rendering clips by, with a margin for the guard band. The
+// result is false for NaN and infinity. This function tests all planes except the two of the guard
+// band that limit x.
 HWY_INLINE FloatMask surely_inside_but_for_x(const VertexJob& job, const ClipFloats& p) {
   const FloatMask depth = p.z >= 0.0f && p.z <= p.w * job.far_factor;
   const FloatMask eye = p.w >= job.smallest_w && p.w <= std::numeric_limits<float>::max() / 4;

@@ -1,5 +1,5 @@
-// Shades what is seen: finds the draw and the triangle of each pixel's reference, and computes
-// their colours.
+// Shades what is seen: finds the draw and the triangle that each pixel's reference identifies, and
+// computes the pixels' colours.
 
 #if defined(GLASSBOX_VISIBLE_SHADER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLASSBOX_VISIBLE_SHADER_INL_H_
@@ -35,7 +35,7 @@ struct BlockOfTile {
   HWY_INLINE BlockOfTile(const TileBuffer& tile, std::size_t block, int at_x, int at_y)
       : state(tile.block(block)), list(tile.listed(block)), x(at_x), y(at_y) {}
 
-  // Whether small triangles came to the block, and no more than there are lanes.
+  // Whether small triangles were drawn into the block, and no more of them than there are lanes.
   bool shows_few_triangles() const {
     return state.listed - 1 < BlockTriangles::kMost && state.listed <= kLanes;
   }
@@ -69,14 +69,14 @@ public:
     return *draw_;
   }
 
-  // Empty if no colours are wanted.
+  // Returns the draw's textures, or none if no colours are wanted.
   HWY_INLINE DrawTextures textures_of(const ShadeDraw& draw) const {
     return job_.picture != nullptr ? DrawTextures(draw) : DrawTextures();
   }
 
-  // Whether the block shows a texture; then its vectors are shaded step by step, otherwise one by
-  // one is better. Only the first pixel of each quad is examined, and the first one that shows
-  // anything decides.
+  // Whether the block shows a texture; then it is better to shade its vectors together, step by
+  // step, and otherwise one after the other. Only the first pixel of each quad is examined, and the
+  // first of these that shows a triangle decides.
   HWY_INLINE bool shows_texture(const TileBuffer& tile, std::size_t block) {
     const TileBlock& b = tile.block(block);
     for (int quad = 0; quad < kBlockQuads; ++quad) {
@@ -149,7 +149,8 @@ public:
             i % kQuadVectors * kLanes, AtCentre()};
   }
 
-  // Shades the block's pending pixels and writes their colours to `colors`; the others keep theirs.
+  // Shades the block's pending pixels and writes their colours to `colors`; other pixels keep their
+  // colours.
   HWY_INLINE void shade_block(const BlockOfTile& block, const Ints* seen, IntMask* pending,
                               Ints* colors) {
     for (std::size_t i = 0; i < kBlockVectors; ++i) {
@@ -224,8 +225,8 @@ private:
 
   // ---- small triangles that a block's pixels share ----
 
-  // The draw's triangles among those that came to the block, and which of them each vector of the
-  // group shows.
+  // The draw's triangles in the block's list, and which of them each lane of the group's vectors
+  // shows.
   struct Shared {
     HWY_INLINE Shared(const ShadeDraw& draw, const BlockOfTile& block, const Ints* seen,
                       const Group& group) {
@@ -241,7 +242,8 @@ private:
       }
     }
 
-    // References minus the draw's first. Unused lanes get a valid triangle too: the draw's first.
+    // The triangles' references minus the draw's first reference. Unused lanes get 0, the draw's
+    // first triangle, which is valid.
     HWY_ALIGN std::int32_t references[kLanes] = {};
     Ints lanes[kBlockVectors];
   };
@@ -255,8 +257,8 @@ private:
                           AtCentre());
     };
     const DrawTextures textures(draw);
-    // (With shorter vectors a block has more of them than fit in registers from one step to the
-    // next.)
+    // Without textures, steps are used only with the longest vectors: with shorter ones, a block
+    // has more vectors than fit in registers from one step to the next.
     if (kLanes == 16 || textures.color != nullptr || textures.emission != nullptr) {
       return shade_in_steps<Channels, SharedSource>(draw, textures, job_, group.count, source_of,
                                                     colors);
@@ -268,7 +270,7 @@ private:
 
   const ResolveJob& job_;
   std::int32_t mask_;
-  // The draw and the shape of the previous pixels: neighbours often have the same.
+  // The draw and the shape of the previous pixels: neighbouring pixels often show the same ones.
   const ShadeDraw* draw_ = nullptr;
   Reference shape_reference_ = kNothing;
   LargeShape shape_;

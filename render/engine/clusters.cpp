@@ -24,10 +24,12 @@ double length(const Vector3& v) {
   return std::sqrt(dot(v, v));
 }
 
-// A relative margin: it covers the rounding errors of the axis, the cosine and the normals.
+// A relative margin that is larger than the rounding errors of a cone: of its axis, of the normals
+// and of the cosine between them.
 constexpr double kSlack = 0x1p-18;
-// If a triangle's edges are of length 1, its Newell vector is off by less than 2^-49. So the normal
-// of a triangle that is not thinner than this is off by less than 2^-29.
+// The Newell vector of a triangle (the cross product of two edges) has a rounding error below 2^-49
+// if the longest edge has length 1. If the vector itself is longer than this constant, the error of
+// the unit normal is below 2^-29.
 constexpr double kThinnest = 0x1p-20;
 constexpr double kLeastCosine = 0.125;
 
@@ -36,7 +38,7 @@ struct NewellVectors {
   std::array<Vector3, kClusterTriangles> normals;
   Vector3 sum;
   double least_newell = std::numeric_limits<double>::infinity(), longest_edge = 0;
-  bool sure = true;  // every normal is accurate to within the slack
+  bool sure = true;  // every normal has an error below kSlack
 };
 
 NewellVectors newell_vectors_of(std::span<const Corners> triangles) {
@@ -57,7 +59,8 @@ NewellVectors newell_vectors_of(std::span<const Corners> triangles) {
   return vectors;
 }
 
-// Gives the cluster its cone. There is none if it would be wide, or if a normal is not accurate.
+// Computes the cone that contains the cluster's normals. The cluster gets none if a normal is more
+// than about 83 degrees from the axis (kLeastCosine) or is not accurate (kThinnest).
 void add_cone(std::span<const Corners> triangles, Cluster& cluster) {
   const NewellVectors vectors = newell_vectors_of(triangles);
   const double size = length(vectors.sum);
@@ -90,7 +93,7 @@ Cluster make_cluster(std::span<const Corners> triangles) {
     for (const Point<Object, double>& p : corners) box.include(p);
   }
   Cluster cluster;
-  // Exact, because corners are floats.
+  // The conversion to float is exact, because the corners are floats.
   cluster.low = {float(box.low.x), float(box.low.y), float(box.low.z)};
   cluster.high = {float(box.high.x), float(box.high.y), float(box.high.z)};
   add_cone(triangles, cluster);

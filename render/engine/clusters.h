@@ -1,6 +1,6 @@
-// Clusters: runs of 64 triangles of a mesh. Each has what is needed to decide about all its
-// triangles at once: its box, the cone of its normals, and which vertices it uses. Made once for a
-// mesh; they do not depend on the view.
+// Clusters: groups of 64 consecutive triangles of a mesh. Each has what is needed to decide about
+// all its triangles at once: its box, the cone of its normals, and which vertices it uses. Clusters
+// are made once for a mesh; they do not depend on the view.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,20 @@ namespace glassbox {
 
 inline constexpr std::uint32_t kClusterTriangles = 64;
 
-// A run of triangles. Their unit normals u count as exact: their rounding errors are within the
-// slack of the cone.
+// Consecutive triangles of a mesh. The comments below treat the triangles' unit normals u as exact,
+// because the cone has a margin (kSlack in clusters.cpp) that covers their rounding errors.
 struct Cluster {
-  Point<Object> low, high;  // the box of its corners
+  Point<Object> low, high;  // the bounding box of its triangles
 
-  // All u have axis . u >= cosine. 0: the normals point in too many directions for a cone.
+  // Each unit normal u of the triangles has axis . u >= cosine. A cosine of 0 means that the
+  // normals point in too many directions for a cone.
   Vector<Object> axis;  // of unit length, except for rounding to float
   float cosine = 0;
-  // With c = centre_of(): c + along_backs axis is behind every triangle's plane or on it, c +
-  // along_fronts axis is in front of every plane or on it.
+  // Two points on the line along the axis through the box's centre c (centre_of): c + along_backs
+  // axis is behind the plane of every triangle or on it, c + along_fronts axis is in front of every
+  // plane or on it.
   double along_backs = 0, along_fronts = 0;
-  // The shortest Newell vector (its length is twice the triangle's area), and the longest edge.
+  // The length of the shortest Newell vector (twice its triangle's area), and the longest edge.
   double least_newell = 0, longest_edge = 0;
 };
 
@@ -43,10 +45,11 @@ inline Vector<Object, double> axis_of(const Cluster& c) {
   return {double(c.axis.x), double(c.axis.y), double(c.axis.z)};
 }
 
-// The entries of a table that the clusters' corners use, as blocks of 64 consecutive entries.
+// Which entries of a mesh's table of positions or normals each cluster uses, as blocks of 64
+// consecutive entries.
 inline constexpr std::uint32_t kTableBlock = 64;
 struct ClusterBlocks {
-  // Cluster i has entries in blocks[starts[i]] .. blocks[starts[i + 1] - 1].
+  // Cluster i uses blocks[starts[i]] .. blocks[starts[i + 1] - 1].
   std::vector<std::uint32_t> starts, blocks;
 
   std::span<const std::uint32_t> of_cluster(std::size_t cluster) const {
@@ -55,15 +58,15 @@ struct ClusterBlocks {
 };
 
 struct Clusters {
-  // Cluster i has triangles 64 i .. 64 i + 63; empty for small meshes.
+  // Cluster i has triangles 64 i .. 64 i + 63 of the mesh. The list is empty for small meshes.
   std::vector<Cluster> clusters;
-  ClusterBlocks positions, normals;  // blocks of the mesh's tables of positions and normals
+  ClusterBlocks positions, normals;  // blocks of the mesh's positions and normals
 };
 
-// `corners`: three indices into the positions for each triangle; all these positions are finite.
-// `normals`: likewise into the normals, or empty if they are equal to `corners`; an index beyond
-// the mesh's normals means that the corner has none. Meshes of fewer than 16 clusters get no
-// clusters: it is quicker to draw them than to test clusters.
+// Makes the clusters of a mesh. `corners` has three indices into the positions for each triangle;
+// all these positions are finite. `normals` has the indices into the normals, or is empty if they
+// are equal to `corners`; an index beyond the mesh's normals means that the corner has none. A mesh
+// of fewer than 16 * 64 triangles gets no clusters: drawing it is quicker than testing clusters.
 Clusters make_clusters(const Mesh& mesh, std::span<const std::uint32_t> corners,
                        std::span<const std::uint32_t> normals);
 

@@ -12,13 +12,14 @@ namespace glassbox {
 namespace {
 
 float anchor_coordinate(double low, double high, double size) {
-  // In sizes of the mesh: closer than that, the cancellation costs at most 4 bits.
+  // A mesh gets an anchor only if it is further from the origin than kFar times its size. If it is
+  // nearer, the cancellation between position and translation costs at most 4 bits of accuracy.
   constexpr double kFar = 8;
   const double nearest = low > 0 ? low : high < 0 ? -high : 0;
   if (!(nearest > kFar * size)) return 0.0f;
-  // The anchor is a multiple of a power of two no smaller than the mesh. Every difference is then
-  // exact and small. The anchor itself has few bits, so the product of the matrix and the anchor
-  // stays as exact as the matrix.
+  // The anchor is a multiple of `spacing`, a power of two that is no smaller than the mesh. So the
+  // difference of a position and the anchor is exact and small. The anchor itself has few bits, so
+  // the product of the matrix and the anchor is as exact as the matrix.
   int exponent = 0;
   std::frexp(std::max(std::abs(low), std::abs(high)), &exponent);
   const double spacing_of_floats = std::ldexp(1.0, exponent - 24);
@@ -50,7 +51,7 @@ void choose_textures(const Scene& scene, const PreparedScene& prepared, Draw& dr
   }
 }
 
-// Fills in what all instances of a mesh have in common.
+// Makes a draw with the fields that all instances of a mesh have in common.
 Draw make_draw_of_mesh(const Scene& scene, const PreparedScene& prepared, std::uint32_t mesh) {
   Draw draw;
   draw.mesh = &scene.meshes[mesh];
@@ -80,7 +81,8 @@ void place_draw(const Scene& scene, const View& view, std::uint32_t instance, Dr
   if (!box.empty()) draw.distance_of_centre = -(draw.eye_from_object * box.center()).z;
 }
 
-// Changes draws to those of another eye that shares eye_from_world.
+// Changes draws of one eye of a stereo pair to those of `eye`, whose view has the same
+// eye_from_world.
 void set_clip_from_anchored(const View& eye, std::span<Draw> draws) {
   for (Draw& draw : draws) {
     draw.clip_from_anchored = round_to_float(eye.clip_from_eye * eye_from_anchored_of(draw));

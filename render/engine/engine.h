@@ -1,5 +1,5 @@
-// The interface of engines, which draw pictures. The staged reference and the tile engine make the
-// same bytes; others can be added.
+// The interface of engines, which draw pictures. The staged reference and the tile engine draw the
+// same bytes; more engines can be added.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,15 @@ namespace glassbox {
 struct EyePicture {
   const View& view;
   const RenderSettings& settings;
-  Framebuffer& target;  // planes that already have the right size keep their memory
-  // Where the colours go: target.color, or an existing picture of the view's size, over which this
-  // one is drawn. (Not for pictures of planes of the buffer: Show::kDepth, kId, kOverdraw.)
+  Framebuffer& target;  // its images keep their memory if they already have the right size
+  // Where the colours are written: target.color, or an existing picture of the view's size, over
+  // which this one is drawn. (An existing picture is not possible with Show::kDepth, kId and
+  // kOverdraw, which are coloured at the end from another image of the framebuffer.)
   Image<Rgba8>& color;
   Statistics& statistics;
   Observers observers = {};  // called at every stage by engines that support them
   // A depth code for each pixel: only fragments behind it are drawn, and none where it is
-  // kEmptyDepth. Null: all fragments are drawn. (Only with one sample per pixel and without
+  // kEmptyDepth. Null: all fragments are drawn. (Allowed only with one sample per pixel and without
   // blending.)
   const Image<std::uint32_t>* behind_depth = nullptr;
 
@@ -40,8 +41,8 @@ inline std::vector<const View*> views_of(std::span<const EyePicture> eyes) {
   return views;
 }
 
-// Which triangles of a pair are drawn at all; the others are culled before the eyes' own stages
-// (S0-04).
+// Which triangles of a stereo pair are drawn. The other triangles are culled for both eyes, before
+// the stages that run for each eye (S0-04).
 //   kUnion   triangles that the frustum of either eye may show: nothing is lost
 //   kCentre  triangles that the frustum of the camera between the eyes may show: what only a
 //            skewed frustum sees is lost (E20)
@@ -56,17 +57,17 @@ struct PairCulling {
 // A picture to draw, or the two pictures of a stereo pair.
 struct PictureJob {
   const Scene& scene;
-  const PreparedScene& prepared;  // made from the scene with the settings' transfer
-  // One eye, or the two of a stereo pair. The views of a pair differ only in the x row of
-  // clip_from_eye, their settings only in the mask. Work done once for both is counted and timed
-  // with the first.
+  const PreparedScene& prepared;  // made from the scene with the transfer function of the settings
+  // One eye, or the two eyes of a stereo pair. The views of a pair differ only in the x row of
+  // clip_from_eye, their settings only in the colour mask. Work that is done once for both eyes is
+  // counted and timed in the first eye's statistics.
   std::span<const EyePicture> eyes;
   // The culling of a pair; null: none. An engine may ignore kUnion, which changes no picture.
   const PairCulling* culling = nullptr;
 };
 
-// How many triangles of a pair were culled before its eyes, and how many of these an eye's frustum
-// shows (`lost`).
+// How many triangles were culled for both eyes of a pair, and how many of these the frustum of an
+// eye may show (`lost`).
 struct PairCullCounts {
   std::uint64_t culled = 0, lost = 0;
 };
@@ -75,11 +76,11 @@ class Engine {
 public:
   virtual ~Engine() = default;
 
-  // Draws every picture of the job, with all its planes.
+  // Draws the picture of every eye of the job, with all images of its framebuffer.
   virtual PairCullCounts draw(const PictureJob& job) = 0;
 
-  // Whether the engine culls what StereoCulling::kCentre culls. For an engine that does not, the
-  // reference draws such pictures.
+  // Whether the engine can cull as StereoCulling::kCentre does. If it cannot, the staged reference
+  // draws such pictures.
   virtual bool culls_as_centre() const { return false; }
 };
 

@@ -1,6 +1,6 @@
-// The buffers that a run writes. Planes that are not wanted stay empty. Depth, distance, id and
-// writes are always those of pixel centres: for any number of samples they have the values that
-// they have with one sample.
+// The images that a run writes; other comments call them the planes of the framebuffer. Images that
+// are not wanted stay empty. Depth, distance, id and writes are always those of pixel centres: for
+// any number of samples they have the values that they have with one sample.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,12 @@ namespace glassbox {
 
 struct Framebuffer {
   Image<Rgba8> color;          // bytes as stored in files
-  Image<std::uint32_t> depth;  // depth_code()
+  Image<std::uint32_t> depth;  // the depth as an integer: depth_code()
   Image<float> distance;       // along the gaze, world units; +inf where nothing was drawn
   Image<std::uint32_t> id;  // 1 + the triangle's number in the scene; 0 where no triangle is seen
   Image<std::uint32_t> writes;  // how many fragments were written (for Show::kOverdraw)
-  // Used while a picture of several samples is drawn, except by the tile engine.
+  // The samples, while a picture with several samples per pixel is drawn. The tile engine uses them
+  // only if it draws the scene in several rounds (parts).
   SamplePlanes samples;
 };
 
@@ -41,7 +42,8 @@ inline Framebuffer cleared_framebuffer(int width, int height, const RenderSettin
   return buffer;
 }
 
-// Called at the end of a run: resolves the samples to the picture's colours and frees their memory.
+// Called at the end of a run: writes the mean of each pixel's samples to `color` and frees the
+// samples' memory.
 inline void resolve_samples(const RenderSettings& settings, Framebuffer& buffer,
                             Image<Rgba8>& color) {
   if (buffer.samples.empty()) return;

@@ -17,9 +17,9 @@ using Vec3 = std::array<double, 3>;
 
 // The extent of a mesh, from which the bounds of its instances are computed.
 struct MeshExtent {
-  Vec3 centre{}, half{};  // of its box, object space
+  Vec3 centre{}, half{};  // centre and half size of the box, object space
   Vec3 anchor{};
-  Vec3 size{};  // the largest |coordinate| relative to the anchor
+  Vec3 size{};  // by axis, the largest |coordinate - anchor|
   bool empty = true, finite = true;
 };
 
@@ -41,8 +41,9 @@ MeshExtent extent_of(const PreparedMesh& mesh) {
   return extent;
 }
 
-// Makes a group of one instance. Every quantity is a sum of at most eight products of doubles,
-// rounded upwards by gamma(16) of the sum of its terms' sizes.
+// Makes a group of one instance. Each of its numbers is a sum of at most eight products of doubles.
+// To be an upper bound in spite of rounding, it is increased by gamma(16) times the sum of the
+// absolute values of its terms. (gamma(n) = n u / (1 - n u), u is the unit roundoff.)
 InstanceGroup group_of_one(const Transform<World, Object>& world_from_object,
                            const MeshExtent& extent) {
   constexpr double kUp = 1 + gamma<double>(16);
@@ -86,7 +87,7 @@ void extend_group(const InstanceGroup& one, InstanceGroup& group) {
   group.far = std::max(group.far, one.far);
 }
 
-// Moves bit i of a coordinate to bit 3 i.
+// Moves bit i of a coordinate to bit 3 i, so that the bits of three coordinates can alternate.
 std::uint64_t spread(std::uint64_t bits) {
   std::uint64_t wide = 0;
   for (int i = 0; i < 16; ++i) wide |= ((bits >> i) & 1) << (3 * i);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kX = 0, kY = 1, kW = 3;  // the rows that the position on the screen depends on
 
-// ---- whether there is a test at all ----
+// ---- the views for which there is a test ----
 
 bool rows_are(const Transform<Clip, Eye>& m, bool perspective) {
   const bool no_shear = m.at(kX, 1) == 0 && m.at(kY, 0) == 0;
@@ -35,13 +35,14 @@ bool is_oblique(const View& view) {
 
 // ---- the viewer ----
 
-// The point that the rows x, y and w map to 0: the origin, except for an eye of a stereo pair.
+// Returns the point that the rows x, y and w of the projection `m` map to 0: the eye. It is the
+// origin, except for an eye of a stereo pair.
 Point<Eye, double> viewpoint_of(const Transform<Clip, Eye>& m) {
   return {-(m.at(kX, 3) / m.at(kX, 0)) + 0.0, -(m.at(kY, 3) / m.at(kY, 1)) + 0.0, 0.0};
 }
 
-// Returns the viewer in object space. Its error includes the rounding of the viewpoint's two
-// quotients.
+// Returns the viewer (the eye, or the gaze of a parallel view) in object space. The bound of its
+// error includes the rounding of the two divisions in viewpoint_of().
 std::optional<ObjectViewer> viewer_of(const Draw& draw, const View& view) {
   const Point<Eye, double> viewpoint =
       view.perspective ? viewpoint_of(view.clip_from_eye) : Point<Eye, double>{};
@@ -58,7 +59,7 @@ std::optional<ObjectViewer> viewer_of(const Draw& draw, const View& view) {
   return wider;
 }
 
-// ---- what float makes of the map ----
+// ---- the rounding errors of the transform to clip space ----
 
 glm::dmat4 sizes_of(const glm::dmat4& m) {
   glm::dmat4 sizes;
@@ -71,7 +72,7 @@ double determinant_3(const glm::dmat4& m) {
       glm::dmat3(m[0].x, m[0].y, m[0].w, m[1].x, m[1].y, m[1].w, m[2].x, m[2].y, m[2].w));
 }
 
-// The same sum with all its terms positive.
+// Returns the permanent: the sum of the determinant's terms, all with a positive sign.
 double permanent_3(const glm::dmat4& sizes) {
   const auto term = [&](int i, int j, int k) { return sizes[i].x * sizes[j].y * sizes[k].w; };
   return term(0, 1, 2) + term(0, 2, 1) + term(1, 0, 2) + term(1, 2, 0) + term(2, 0, 1) +
@@ -82,9 +83,9 @@ Vector<Object, double> row_of(const glm::dmat4& m, int row) {
   return {m[0][row], m[1][row], m[2][row]};
 }
 
-// Whether the map is so far from singular that the areas on the screen are right to 2^-29. It
-// depends on the determinant of the rows x, y, w; in a parallel view on the cross product of the
-// rows x and y.
+// Whether the transform to clip space is so far from singular that areas on the screen have a
+// relative error below 2^-29 when they are computed with it in double. This depends on the
+// determinant of its rows x, y, w; in a parallel view on the cross product of its rows x and y.
 bool is_far_from_singular(const Draw& draw, const View& view) {
   const glm::dmat4& p = view.clip_from_eye.columns;
   const glm::dmat4& e = draw.eye_from_object.columns;
@@ -98,9 +99,9 @@ bool is_far_from_singular(const Draw& draw, const View& view) {
   return dot(area, area) > kShare * kShare * dot(size, size);
 }
 
-// Fills in the three rows and their errors. An error covers the difference between the one float
-// matrix that the run uses and the exact product of the two matrices in double, and the four
-// rounding errors of applying it.
+// Fills in the rows x, y and w and the error of each entry. The error is a sum: the difference
+// between the float matrix that the run uses and the product of the matrices in double, the
+// rounding errors of that product, and the four rounding errors of a transform in float.
 void fill_rows(const Draw& draw, const View& view, ObjectCull& cull) {
   const Vector<Object>& a = draw.anchor;
   const glm::dmat4 anchored =
@@ -136,7 +137,7 @@ double error_of(const ObjectCull::Row& row, const std::array<double, 3>& farthes
          row.error[3];
 }
 
-// Returns the largest |p - anchor| of the corners, axis by axis.
+// Returns for each axis the largest |p - anchor| of the corners p.
 std::array<double, 3> farthest_from_anchor(const std::array<Point<Object>, 3>& triangle,
                                            const Vector<Object>& anchor) {
   std::array<double, 3> farthest{};
@@ -155,9 +156,9 @@ struct Extent {
   double displacement_px = 0;
 };
 
-// How far corners may be displaced on the screen if they are within `reach` half screens of its
-// centre and at a distance of `nearest` or more. It sums the snap, three roundings of divide and
-// viewport, and the error of the float transform.
+// Returns how far snapping and rounding may move a corner on the screen, in pixels. The corner is
+// within `reach` half screens of the screen's centre, and its w is at least `nearest`. The terms
+// are the snap, three roundings in divide and viewport, and the error of the transform in float.
 double displacement_px(double reach, double error, double error_w, double nearest,
                        double half_side_px) {
   return 0.5 / kSubpixels + gamma<float>(3) * half_side_px * (reach + 2) +
@@ -172,7 +173,7 @@ Extent extent_of(const std::array<double, 3>& over_w, double error, double error
   return {half_side_px * (high - low) + 2 * displacement, displacement};
 }
 
-// Returns the margin that the test's value must exceed (snapping_margin).
+// Returns the margin (snapping_margin) that the value of the back-face test must exceed.
 double margin_of(const ObjectCull& cull, const Extent& across, const Extent& down,
                  double largest_w) {
   const double s = std::max(across.displacement_px, down.displacement_px);
@@ -187,11 +188,13 @@ double sum_of_sizes(const Vector<Object, double>& v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-// Returns the smallest distance by which the viewer is behind the triangles' planes, or with
-// `fronts` in front of them; for a parallel view, the smallest cosine between the gaze and the
-// normals (or their opposites). The point along the axis is on or beyond all planes, so it
-// represents them all. (g . u) is smallest for a u on the cone's surface that is turned away from
-// g. The axis was rounded to float; 2^-20 of |g| is more than that error.
+// Returns a lower bound of the viewer's distance behind the planes of the cluster's triangles (with
+// `fronts`: in front of them); in a parallel view, of the cosine between the gaze and the normals u
+// (with `fronts`: their opposites). The vector g goes from the viewer to a point of the cone's axis
+// that is behind all planes or on them, so each distance is at least g . u. This is smallest for a
+// u on the surface of the cone, on the side that is turned away from g. (With `fronts`, the point
+// is in front of all planes, and g has the opposite sign.) Rounding the axis to float changes the
+// result by less than 2^-20 |g|.
 double least_behind(const Cluster& cluster, const ObjectViewer& viewer, bool fronts) {
   const Vector<Object, double> axis = axis_of(cluster);
   Vector<Object, double> g = viewer.eye_or_gaze;
@@ -209,8 +212,8 @@ double least_behind(const Cluster& cluster, const ObjectViewer& viewer, bool fro
          sum_of_sizes(viewer.error);
 }
 
-// A coordinate (one row) over a box around `centre`: the value in the middle, and how far other
-// values may be from it.
+// The values of a clip coordinate over a box: the value at the box's centre, and how much other
+// values may differ from it.
 struct Spread {
   double middle = 0, reach = 0;
   double largest() const { return std::abs(middle) + reach; }
@@ -222,8 +225,9 @@ Spread spread_of(const ObjectCull::Row& row, const Point<Object, double>& centre
           std::abs(m[0]) * half.x + std::abs(m[1]) * half.y + std::abs(m[2]) * half.z};
 }
 
-// (Called four times for each cluster, so std::hypot is used only if the squares underflow. If they
-// overflow, nothing is removed.)
+// Returns the length of the gradient: the first three entries of the row. (Called four times for
+// each cluster, so the slower hypotenuse() is used only if the squares underflow. If they overflow,
+// the result is infinite and nothing is removed.)
 double slope_of(const ObjectCull::Row& row) {
   const auto& m = row.exact;
   const double squares = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
@@ -236,7 +240,7 @@ ObjectCull::Evaluation ObjectCull::evaluate(const std::array<Point<Object>, 3>& 
   Evaluation evaluation{test_back_face(triangle, viewer), std::numeric_limits<double>::infinity()};
   BackFaceTest test = evaluation.test;
   if (removes_fronts) test.value = -test.value;
-  // If the value has the wrong sign, no margin can make the triangle certain to be culled.
+  // If the value has the wrong sign, the triangle cannot be removed, whatever the margin.
   if (!certainly_back(test, 0)) return evaluation;
 
   const std::array<double, 3> farthest = farthest_from_anchor(triangle, anchor);
@@ -271,7 +275,9 @@ bool ObjectCull::removes_all(const Cluster& cluster) const {
   const double error_w = error_of(w, farthest);
   const double nearest = ws.middle - ws.reach - 2 * error_w;
   if (!(nearest > 0)) return false;
-  // An edge d changes x / w by (row x . d - (x / w) row w . d) / w.
+  // From the beginning to the end of an edge d, x / w changes by (row_x . d - (x / w) row_w . d) /
+  // w, with x / w at the beginning and the divisor w at the end. So the edge's length is at most
+  // |d| (|row_x| + reach |row_w|) / nearest, in half screens.
   const auto extent = [&](const Row& row, double half_side_px) {
     const double error = error_of(row, farthest);
     const double reach = (spread_of(row, centre, half).largest() + error) / nearest;
@@ -313,8 +319,8 @@ ObjectCulling certain_culling(const Draw& draw, const View& view, Cull cull_mode
   cull.anchor = draw.anchor;
   cull.half_width_px = double(view.viewport.width()) / 2;
   cull.half_height_px = double(view.viewport.height()) / 2;
-  // 8 px^2 is the result of snapping_margin's formula for corners moved by 1 px, edges of length 0,
-  // and w = 1.
+  // The margin is value_per_px2 * (8 s L + 8 s^2) w^3 for corners moved by s px and edges of length
+  // L px (margin_of). With s = 1, L = 0 and w = 1 it is 8 value_per_px2.
   cull.value_per_px2 =
       snapping_margin(view.clip_from_eye * draw.eye_from_object, *viewer, view.viewport, 1, 0, 1) /
       8;

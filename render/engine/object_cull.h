@@ -1,12 +1,12 @@
 // Culling before clipping, in object space (S4-01, S4-13): finds the triangles that certainly face
 // the wrong way.
 //
-// Only the snapped area decides what a picture shows. So a triangle is removed here only if the
-// test's value exceeds everything that could still change its sign: its own rounding error, the
-// error of the viewer, and how far snapping and float move its corners on the screen (back_face.h
-// has the proof). Triangles in doubt are kept. So are triangles that a plane cuts, because the
-// pieces of a cut may be slivers, for which no margin of the whole triangle holds. The bytes are
-// those of culling by the snapped area alone.
+// Only the area after snapping decides what a picture shows. So a triangle is removed here only if
+// the value of the test exceeds everything that could still change its sign: its own rounding
+// error, the error of the viewer's position, and how far snapping and float move the corners on the
+// screen (back_face.h has the proof). Triangles in doubt are kept. So are triangles that a clip
+// plane cuts, because clipping may leave slivers of them, for which the margin of the whole
+// triangle does not hold. The picture has the same bytes as with culling by the snapped area alone.
 #pragma once
 
 #include <array>
@@ -24,10 +24,11 @@ namespace glassbox {
 struct ObjectCull {
   ObjectViewer viewer;
   bool removes_fronts = false;  // otherwise it removes back faces
-  double value_per_px2 = 0;     // margin of the test's value per px^2 of area, where w is 1
+  // Margin of the test's value for each px^2 on the screen, where w is 1.
+  double value_per_px2 = 0;
 
-  // A row of clip_from_object that the screen depends on, in double. The run's own coordinate of a
-  // point p may differ from the exact one by error . (|p - anchor|, 1).
+  // A row of clip_from_object, in double. The coordinate that the run computes for a point p
+  // differs from the exact one by at most the dot product of `error` and (|p - anchor|, 1).
   struct Row {
     std::array<double, 4> exact{}, error{};
   };
@@ -37,32 +38,33 @@ struct ObjectCull {
 
   struct Evaluation {
     BackFaceTest test;
-    // The margin that snapping and float need; infinite where it was not needed, and where no bound
-    // is known.
+    // What the value must exceed because of snapping and float. It is infinite if it was not
+    // computed, or if no bound is known.
     double margin = 0;
     bool removed = false;
   };
-  // The triangle's three corners as modelled. A triangle that is removed has them in front of the
-  // eye; the caller must check that no plane cuts it.
+  // Evaluates the test for the triangle's three corners as modelled. If `removed` is set, all three
+  // corners are in front of the eye. Before it removes the triangle, the caller must also check
+  // that no clip plane cuts it.
   Evaluation evaluate(const std::array<Point<Object>, 3>& triangle) const;
 
   bool removes(const std::array<Point<Object>, 3>& triangle) const {
     return evaluate(triangle).removed;
   }
 
-  // Whether each triangle of a cluster can be removed, by the cone of their normals and the box.
-  // Here too the caller must check that no plane cuts it.
+  // Whether all triangles of a cluster can be removed, found from the cone of their normals and
+  // from their box. The caller must also check that no clip plane cuts any of them.
   bool removes_all(const Cluster& cluster) const;
 };
 
-// The decision of --cull-stage object for a draw.
+// What --cull-stage object does for a draw: a test for its triangles, or none, and the reason.
 struct ObjectCulling {
-  std::optional<ObjectCull> test;  // absent: nothing is removed early
+  std::optional<ObjectCull> test;  // absent: nothing is culled before clipping
   const char* because = "";        // why there is a test, or none
 };
 ObjectCulling object_culling(const Draw& draw, const View& view, const RenderSettings& settings);
 
-// The same, independent of --cull-stage.
+// Makes the same decision as object_culling, for any --cull-stage.
 ObjectCulling certain_culling(const Draw& draw, const View& view, Cull cull);
 
 }  // namespace glassbox

@@ -6,8 +6,8 @@
 
 namespace glassbox {
 
-// From now on default_threads() returns this number, at least 1; with std::nullopt it returns the
-// machine's number again. Nothing may be drawn during the call.
+// From now on default_threads() returns `threads`, which must be at least 1; with std::nullopt it
+// returns the machine's number again. No picture may be drawn during the call.
 void prefer_threads(std::optional<int> threads);
 
 }  // namespace glassbox

@@ -23,7 +23,8 @@ std::vector<std::uint32_t> gather_indices(const Mesh& mesh, const Triangulation&
   return indices;
 }
 
-// Returns an empty list if the indices equal those of the positions, which then serve for both.
+// Returns an empty list if the indices are equal to those of the positions. Then the positions'
+// indices are used for both.
 std::vector<std::uint32_t> unless_equal(std::vector<std::uint32_t> indices,
                                         const std::vector<std::uint32_t>& positions) {
   if (indices == positions) return {};
@@ -42,7 +43,7 @@ CornerIndices corner_indices(const Mesh& mesh, const Triangulation& triangulatio
                        return c.normal != kNone ? c.normal : first_face + triangle.face;
                      }),
       indices.positions);
-  // For an attribute that some corners may not have.
+  // Gathers the indices of an attribute that some corners may not have.
   using IndexOf = std::uint32_t Corner::*;
   const auto gather_optional = [&](IndexOf member, bool& has_any) {
     std::vector<std::uint32_t> found = gather_indices(
@@ -58,8 +59,8 @@ CornerIndices corner_indices(const Mesh& mesh, const Triangulation& triangulatio
   return indices;
 }
 
-// Repeats `indices` for the first `copies` instances; each instance has `stride` entries of its
-// own.
+// Returns `indices` repeated for the first `copies` instances. Each instance has `stride` table
+// entries of its own, so the indices of copy k are increased by k * stride.
 std::vector<std::uint32_t> repeated(const std::vector<std::uint32_t>& indices, std::size_t copies,
                                     std::size_t stride) {
   std::vector<std::uint32_t> all;
@@ -88,8 +89,8 @@ CornerIndices joined_indices(const Mesh& mesh, const PreparedMesh& prepared, std
   return joined;
 }
 
-// Whether instances of the mesh are joined into one draw. Where many small meshes are drawn, the
-// fixed cost of each draw dominates. Meshes that have clusters are large enough.
+// Whether instances of the mesh are joined into one draw. Where many small meshes are drawn, most
+// of the time would be the fixed cost of each draw. Meshes that have clusters are not small.
 bool is_joined(const Mesh& mesh, const PreparedMesh& prepared, std::size_t instances) {
   const std::size_t triangles = prepared.triangulation.triangles.size();
   return instances > 1 && triangles > 0 && triangles <= kJoinedTriangles / 2 &&

@@ -11,7 +11,7 @@ namespace glassbox {
 namespace {
 
 // Returns the transfer function for averaging samples. Pictures of normals and texture coordinates
-// are numbers, not light.
+// show numbers, not light, so they are averaged without decoding.
 Transfer transfer_of_mean(const RenderSettings& settings) {
   const bool is_light = settings.show != Show::kNormal && settings.show != Show::kUv;
   return is_light ? settings.transfer : Transfer::kNone;

@@ -1,4 +1,4 @@
-// The colours and depths of several samples per pixel, kept while they are drawn.
+// The colours and depths of several samples per pixel, kept while a picture is drawn.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace glassbox {
 
-// The samples of a whole picture, or of one tile. A pixel's samples are stored next to each other,
-// 8 bytes each.
+// The samples of a whole picture, or of one tile. The colours of a pixel's samples are stored next
+// to each other, and so are their depths: 8 bytes for each sample.
 class SamplePlanes {
 public:
-  // Clears all samples of the pixels of `window`: their depth becomes empty, their colour is
+  // Clears all samples of the pixels of `window`: their depth becomes kEmptyDepth, their colour is
   // `color`, or the colour that their pixel has in `picture`.
   void clear(const PixelRect& window, int count, const Rgba8& color);
   void clear(const PixelRect& window, int count, const Image<Rgba8>& picture);
@@ -32,7 +32,8 @@ public:
   // Access to the same memory for the vectorised code.
   SampleRows rows() { return {window_, color_.data(), depth_.data(), count_}; }
 
-  // Writes the mean of each pixel's samples (mean_color.h) to the channels of the settings' mask.
+  // Writes the mean of each pixel's samples (mean_color.h) to `picture`, in the channels of the
+  // settings' mask.
   void resolve(const RenderSettings& settings, Image<Rgba8>& picture) const;
 
 private:
@@ -46,7 +47,7 @@ private:
   PixelRect window_;
   int count_ = 0;
   std::vector<Rgba8> color_;
-  std::vector<std::uint32_t> depth_;  // depth_code()
+  std::vector<std::uint32_t> depth_;  // depth codes, see depth_code()
 };
 
 }  // namespace glassbox

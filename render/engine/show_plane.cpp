@@ -17,9 +17,9 @@ void show_depth(Framebuffer& buffers) {
     nearest = std::min(nearest, distance);
     farthest = std::max(farthest, distance);
   }
-  constexpr float kDarkest = 40.0f / 255.0f;  // still different from black
-  // Halves the values where a parallel view reaches so far in front of and behind the eye that the
-  // range would overflow; exact otherwise.
+  constexpr float kDarkest = 40.0f / 255.0f;  // the largest distance; still different from black
+  // Distances of a parallel view may reach so far in front of and behind the eye that their range
+  // would overflow. Then they are halved; otherwise this factor changes nothing.
   const float scale = std::isfinite(farthest - nearest) ? 1.0f : 0.5f;
   const float range = farthest * scale - nearest * scale;
   for (std::size_t i = 0; i < buffers.color.pixels.size(); ++i) {
@@ -31,8 +31,8 @@ void show_depth(Framebuffer& buffers) {
   }
 }
 
-// The colour is three bytes of a multiplicative hash (Knuth's golden-ratio constant), kept away
-// from black.
+// The colour is three bytes of a multiplicative hash (Knuth's golden-ratio constant), each mapped
+// to 64 .. 255, so that no colour is close to black.
 Rgba8 color_of_id(std::uint32_t id) {
   std::uint32_t h = id * 0x9e3779b1u;
   h ^= h >> 15;

@@ -6,54 +6,58 @@
 namespace glassbox {
 
 struct Statistics {
-  // Counts of assembly.
+  // Counts of the assembly of primitives.
   std::uint64_t instances = 0;
-  std::uint64_t triangles = 0;   // those that have a number; triangles without area are included
+  std::uint64_t triangles = 0;   // all triangles of the draws, also those without area
   std::uint64_t degenerate = 0;  // without area as modelled: never drawn
-  // In draws and clusters that the plan leaves out: no stage processes them.
+  // Triangles of draws and clusters that the plan leaves out: no stage processes them.
   std::uint64_t left_out = 0;
   std::uint64_t lines = 0;  // wireframe edges are not counted here
   std::uint64_t points = 0;
 
-  // Clusters of triangles that were tested (render/plan/cluster_cull.h).
+  // Clusters (64 triangles each) that were tested, and how many of them were outside the view or
+  // turned away (render/plan/cluster_cull.h).
   std::uint64_t clusters = 0, clusters_outside = 0, clusters_turned_away = 0;
-  std::uint64_t left_out_in_clusters = 0;  // triangles of the last two; also counted in left_out
+  // Triangles of clusters outside or turned away; also in left_out.
+  std::uint64_t left_out_in_clusters = 0;
 
-  // Vertex stage.
+  // Counts of the vertex stage.
   std::uint64_t vertices = 0;       // positions transformed to clip space
-  std::uint64_t moved_in_x = 0;     // taken over from a pair's first eye, with a new x only
+  std::uint64_t moved_in_x = 0;     // copied from a pair's first eye, with a new x only
   std::uint64_t plane_tests = 0;    // positions tested for whether they need clipping
   std::uint64_t normals = 0;        // transformed to eye space, of vertices and of faces
   std::uint64_t eye_positions = 0;  // positions transformed to eye space
 
-  // Culling in object space, where it is enabled.
-  std::uint64_t culled_early = 0;  // certainly facing the wrong way: not clipped
+  // Counts of culling in object space, if it is enabled.
+  std::uint64_t culled_early = 0;  // triangles that certainly face the wrong way: not clipped
 
-  // Clipping. Triangles in = left out + culled early + rejected + clipped away + clipped + whole.
-  std::uint64_t rejected = 0;      // all corners outside one plane
+  // Counts of clipping. triangles - degenerate = left_out + culled_early + rejected + clipped_away
+  // + clipped + the number of triangles that stay whole.
+  std::uint64_t rejected = 0;      // all corners are outside one plane
   std::uint64_t clipped_away = 0;  // nothing is left after clipping
   std::uint64_t clipped = 0;       // cut, and something is left
-  // Triangles after clipping: whole ones, and the fans of the cut ones.
+  // Triangles after clipping: those that stay whole, and those of the fans into which the clipped
+  // polygons are split.
   std::uint64_t after_clipping = 0;
 
-  // Setup. after_clipping = zero_area + culled + set_up.
-  std::uint64_t zero_area = 0;  // after snapping
+  // Counts of the setup. after_clipping = zero_area + culled + set_up.
+  std::uint64_t zero_area = 0;  // no area after snapping
   std::uint64_t culled = 0;     // facing the wrong way
   std::uint64_t set_up = 0;
 
-  // Fragments; with several samples per pixel, the tile engine counts each sample. covered =
-  // depth_failed + discarded + written.
+  // Counts of fragments; with several samples per pixel, the tile engine counts each sample.
+  // covered = depth_failed + discarded + written.
   std::uint64_t covered = 0;
   std::uint64_t depth_failed = 0;
-  std::uint64_t discarded = 0;  // by the alpha mask
+  std::uint64_t discarded = 0;  // alpha is below the mask's cutoff
   std::uint64_t written = 0;
-  std::uint64_t blended = 0;  // of the written ones
+  std::uint64_t blended = 0;  // how many of the written ones were blended
 
   // Wall-clock time of this run, in milliseconds.
   double prepare_ms = 0;   // triangulation, matrices
   double vertex_ms = 0;    // object space to clip space
   double triangle_ms = 0;  // clip, divide, viewport, setup, cull
-  double fragment_ms = 0;  // coverage, depth, shading, blending; once the mip chains of textures
+  double fragment_ms = 0;  // coverage, depth, shading, blending, making mip chains
 };
 
 }  // namespace glassbox

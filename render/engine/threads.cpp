@@ -28,13 +28,14 @@ void prefer_threads(std::optional<int> threads) {
   preferred = threads.value_or(kNoPreference);
 }
 
-// oneTBB uses the smallest limit in force. So there is one limit for the whole program and not one
-// for each arena: the size of the largest arena so far. A larger limit would really start more
-// threads: if many arenas are made one after the other, each wakes threads of its own.
+// oneTBB uses the smallest limit in force. So there is one limit for the whole program, the size of
+// the largest arena so far, and not one for each arena. A larger limit would do harm: if many
+// arenas are made one after the other, each wakes threads of its own, and oneTBB would start as
+// many threads as the limit allows.
 void allow_threads(int threads) {
   using Control = tbb::global_control;
   static std::mutex one_at_a_time;
-  // Never destroyed: a limit that ends when the process exits wakes a thread.
+  // The limit is never destroyed: ending it when the process exits would wake a thread.
   static auto& limit = *new std::optional<Control>;
   static int allowed = tbb::info::default_concurrency();
   const std::lock_guard lock(one_at_a_time);

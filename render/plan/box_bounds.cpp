@@ -27,13 +27,13 @@ ClipCoordinate coordinate_over(const Box<Object>& box, const Transform<Clip, Obj
     size = std::max(
         size, std::abs(terms[0]) + std::abs(terms[1]) + std::abs(terms[2]) + std::abs(terms[3]));
   }
-  // gamma(5) is one rounding more than the transform has; it covers the rounding errors in double
-  // here.
+  // The transform in float has four roundings; gamma(5) allows one more, for the rounding errors of
+  // this computation in double. 4 * 2^-149 covers products that are subnormal.
   c.error = gamma<float>(5) * size + 4 * 0x1p-149;
   return c;
 }
 
-// The fourth coordinate over a box that is wholly in front of the eye.
+// The coordinate w over a box that is wholly in front of the eye.
 struct BeforeTheEye {
   ClipCoordinate w;
   double least_w = 0;
@@ -56,8 +56,8 @@ struct Range {
   Range widened(double by) const { return {low - by, high + by}; }
 };
 
-// The range of coordinate / w over the box. Since w > 0, its extremes are at corners. The error of
-// the transform is included.
+// Returns the range of coordinate / w over the box. Since w > 0, its extremes are at corners. The
+// error of the transform is included.
 Range quotients(const ClipCoordinate& coordinate, const BeforeTheEye& eye) {
   Range range;
   for (std::size_t i = 0; i < 8; ++i) {
@@ -68,7 +68,8 @@ Range quotients(const ClipCoordinate& coordinate, const BeforeTheEye& eye) {
   return range.widened((coordinate.error + range.largest() * eye.w.error) / eye.least_w);
 }
 
-// Rounded away from the inside of the range.
+// rounded_down() and rounded_up() round away from the inside of a range, so that the range stays
+// complete.
 float rounded_down(double x) {
   return std::nextafter(float(x), -std::numeric_limits<float>::infinity());
 }
@@ -82,13 +83,13 @@ DepthCodes codes_of(const Range& depths, DepthFormat format) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// Returns the first pixel and one past the last pixel between two places of NDC; the other two
-// parameters are the pixels at -1 and 1.
+// Returns the first pixel of a range in NDC and one past its last pixel. `at_minus_one` and
+// `at_one` are the pixel coordinates of -1 and 1 in NDC.
 std::array<int, 2> pixels_between(const Range& ndc, float at_minus_one, float at_one,
                                   double margin_px) {
   const auto on_screen = [&](double x) {
     const double px = at_minus_one + (x + 1) / 2 * (double(at_one) - double(at_minus_one));
-    return std::clamp(px, -2 * kGuardBandPx, 2 * kGuardBandPx);  // beyond that nothing is visible
+    return std::clamp(px, -2 * kGuardBandPx, 2 * kGuardBandPx);  // nothing beyond is visible
   };
   const auto [low, high] = std::minmax({on_screen(ndc.low), on_screen(ndc.high)});
   return {int(std::floor(low - margin_px)), int(std::ceil(high + margin_px))};
@@ -101,8 +102,9 @@ DepthCodes depth_codes(const ClipCoordinate& z, const ClipCoordinate& w, const V
   const std::optional<BeforeTheEye> eye = before_the_eye(w, view);
   if (!eye) return {};
   const Range depths = quotients(z, *eye);
-  // Relative to the depth: one rounding for the divide, 8 for its interpolation (interpolate.h),
-  // and 2 for each plane that may have cut the triangle, in z and in w: below 32 in all.
+  // Relative to the depth, in units of u (the unit roundoff, 2^-24), the errors are 1 for the
+  // divide, 8 for the interpolation (interpolate.h), and 2 for each of up to 7 planes that may have
+  // cut the triangle (one in z and one in w): 23 in all. 32 also covers higher orders.
   return codes_of(depths.widened(32 * unit_roundoff<float> * depths.largest()), format);
 }
 
@@ -116,7 +118,8 @@ DepthCodes depth_codes(const Draw& draw, const View& view, DepthFormat format) {
 DepthCodes depth_codes(const TriangleSetup& triangle, DepthFormat format) {
   Range depths{double(*std::ranges::min_element(triangle.depth)),
                double(*std::ranges::max_element(triangle.depth))};
-  // 8u to first order, for the interpolation (interpolate.h), and one more for the higher orders.
+  // The interpolation (interpolate.h) has a relative error of 8 u to first order (u is the unit
+  // roundoff); one more u covers the higher orders.
   depths = depths.widened(9 * unit_roundoff<float> * depths.largest());
   return codes_of(depths, format);
 }

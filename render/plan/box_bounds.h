@@ -17,25 +17,27 @@ struct DepthCodes {
   std::uint32_t nearest = 0, farthest = kEmptyDepth;
 };
 
-// A coordinate of clip space over a box: its exact values at the corners, and the largest error of
-// the value computed in float.
+// A coordinate of clip space over a box: its values at the corners, computed in double, and the
+// largest error of the value that is computed in float.
 struct ClipCoordinate {
   std::array<double, 8> at_corner{};
   double error = 0;
-  double largest_term = 0;  // the largest sum of absolute values in its computation
+  double largest_term = 0;  // the largest sum of the absolute values of its terms
 };
 
-// The range for everything in a box with these z and w.
+// Returns the range of depth codes of everything in a box that has these z and w, or in the box of
+// a draw.
 DepthCodes depth_codes(const ClipCoordinate& z, const ClipCoordinate& w, const View& view,
                        DepthFormat format);
 
 DepthCodes depth_codes(const Draw& draw, const View& view, DepthFormat format);
 
-// The range for one triangle that has been snapped.
+// Returns the range of depth codes of one triangle that has been snapped.
 DepthCodes depth_codes(const TriangleSetup& triangle, DepthFormat format);
 
-// A rectangle of pixels that contains all that is seen of the draw; it may extend beyond the
-// picture. Nothing if the box reaches the eye. `margin_px`: as for classify_draw_box.
+// Returns a rectangle of pixels that contains all that is seen of the draw; it may extend beyond
+// the picture. Returns nothing if the draw's box reaches the eye. The rectangle is enlarged by
+// `margin_px` on each side.
 std::optional<PixelRect> pixels_of_box(const Draw& draw, const View& view, double margin_px);
 
 }  // namespace glassbox

@@ -34,8 +34,8 @@ BoxClassification classify_draw_box(const Draw& draw, const View& view, double m
     return classification;
   }
   if (may_overflow(box, draw.clip_from_anchored)) return classification;
-  // Finds how far the whole box is inside the planes. The first plane that the whole box is beyond
-  // is recorded.
+  // Returns how far the whole box is inside all of the planes; negative if a part of it is outside.
+  // Also records the first plane that the whole box is outside of.
   const auto least_distance = [&](std::span<const ClipPlane> planes) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const ClipPlane& plane : planes) {

@@ -29,7 +29,7 @@ std::string in_all(const char* what, std::size_t count) {
   return fmt::format("{} {}", count, what);
 }
 
-// Names the owner of the box that the decision uses.
+// Names the box that the decision uses: the draw's own, or that of its group of instances.
 const char* box_of(const BoxClassification& classification) {
   return classification.of_group ? "the box of its group of instances" : "its box";
 }
@@ -64,7 +64,7 @@ Decision whole_object(const Subject& s) {
   return needed(kStage, s.plan.leaves_out ? "the other eye may see it" : kNoPlan, numbers);
 }
 
-// Only for meshes that have clusters.
+// This decision is made only for meshes that have clusters.
 Decision clusters(const Subject& s) {
   constexpr const char* kStage = "triangles out of sight";
   const std::string numbers = in_all("clusters", s.draw.prepared->clusters.clusters.size());
@@ -78,7 +78,7 @@ Decision clusters(const Subject& s) {
   return needed(kStage, s.method.no_clusters_because, numbers);
 }
 
-// Only for small meshes with several instances.
+// This decision is made only for small meshes with several instances.
 Decision alone(const Subject& s) {
   constexpr const char* kStage = "a draw by itself";
   if (s.method.alone_because != nullptr) return needed(kStage, s.method.alone_because);
@@ -129,7 +129,8 @@ Decision side_clipping(const Subject& s) {
   return needed(kStage, "its box may leave the guard band");
 }
 
-// Only reported where --cull-stage object is set; otherwise the screen always decides.
+// This decision is reported only if --cull-stage object is set; otherwise the area on the screen
+// always decides.
 Decision early_culling(const Subject& s) {
   constexpr const char* kStage = "culling in object space";
   const ObjectCulling culling = object_culling(s.draw, s.eye.view, s.eye.settings);
@@ -327,7 +328,7 @@ Decision masked_channels(const Plan& plan, const RenderSettings& settings) {
                               mask.b ? "blue" : ""));
 }
 
-// Only reported where some channels are masked; otherwise all are shaded.
+// Reports which channels are shaded, only if the mask removes some; otherwise all are shaded.
 void add_shaded_channels(const Plan& plan, const RenderSettings& settings,
                          std::vector<Decision>& decisions) {
   constexpr const char* kStage = "light of channels";
@@ -349,7 +350,7 @@ void add_shaded_channels(const Plan& plan, const RenderSettings& settings,
   }
 }
 
-// Only reported for more than one sample per pixel.
+// Reports what happens to samples, only if there is more than one per pixel.
 void add_samples(const RenderSettings& settings, std::vector<Decision>& decisions) {
   constexpr const char* kStage = "samples";
   if (settings.samples == 1) return;

@@ -20,12 +20,12 @@ struct Decision {
 // Returns the decisions about the whole picture.
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye);
 
-// Returns the decisions about one draw, in the order of the stages. If the draw is not drawn, there
-// is only the first one.
+// Returns the decisions about one draw, in the order of the stages. If the draw is left out as a
+// whole, there is only the first decision.
 std::vector<Decision> decisions(const Plan& plan, const PlannedEye& eye, std::size_t draw);
 
-// Describes how the draw is drawn: "triangles over lanes", or "each triangle made ready by itself,
-// because ...".
+// Describes how the draw is drawn, for example "in SIMD lanes", or "staged, tile by tile: " and the
+// reason.
 std::string describe_method(const DrawMethod& method);
 
 }  // namespace glassbox

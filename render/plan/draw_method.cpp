@@ -25,7 +25,7 @@ bool depends_on_place(const EyeLight& light) {
   return light.kind != LightKind::kDirectional;
 }
 
-// w is (0, 0, 0, 1) * position: exactly 1.
+// Whether the last row of the matrix is 0 0 0 1, so that w is exactly 1.
 bool w_is_one(const Transform<Clip, Object, float>& m) {
   return m.at(3, 0) == 0 && m.at(3, 1) == 0 && m.at(3, 2) == 0 && m.at(3, 3) == 1;
 }
@@ -70,9 +70,10 @@ void choose_vertex_stages(const Draw& draw, const BoxClassification& classificat
   method.divide = !leave_out || needs_divide(draw);
 }
 
-// Blended draws need the colours of what was drawn before them. The staged stages write to the
-// framebuffer; moving them among the others would make tiles change more often between the two
-// ways. Lines and points keep their place, too.
+// Decides whether the draw keeps its place in the order. Blended draws do, because they need the
+// colours of what was drawn before them. So do staged draws (drawn by the stages of the reference),
+// lines and points: they are drawn into the framebuffer, other draws into buffers of the tile, and
+// in another order a tile would change more often between the two.
 void choose_order(const Draw& draw, DrawMethod& method) {
   method.into_framebuffer = method.staged_because != nullptr ||
                             draw.material->alpha_mode == AlphaMode::kBlend ||
@@ -108,7 +109,7 @@ DrawMethod choose_method(const Draw& draw, const BoxClassification& classificati
   method.keep_back = !is_culled(draw, settings.cull, false);
   method.no_clusters_because = why_no_clusters(draw, method, leave_out);
 
-  // A picture of triangle numbers shows colours where lines and points are blended.
+  // A picture of triangle numbers shows colours where blended lines and points are seen.
   const bool painted = colors && (settings.show == Show::kColor || settings.show == Show::kId);
   const bool masked = draw.material->alpha_mode == AlphaMode::kMask;
   method.texture = (painted || masked) && draw.texture != nullptr;

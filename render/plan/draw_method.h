@@ -11,13 +11,13 @@ namespace glassbox {
 // The reason given for a stage that runs although a proof would allow leaving it out.
 inline constexpr const char* kNoPlan = "--no-plan: it runs, whether needed or not";
 
-// How one draw is drawn.
+// How one draw is drawn. The fields that end in _because give a reason, or are null.
 struct DrawMethod {
   // Null: triangles are drawn by vectorised code and shaded once for each pixel where they are
-  // seen. Otherwise the reason why every primitive goes through the staged stages, tile by tile.
+  // seen. Otherwise the reason why the stages of the reference draw every primitive, tile by tile.
   const char* staged_because = nullptr;
-  // Null: small triangles are set up by vectorised code. Otherwise the reason why each is prepared
-  // by the staged primitives.
+  // Null: small triangles are set up by vectorised code. Otherwise the reason why the stages of the
+  // reference set up each triangle.
   const char* large_because = nullptr;
 
   // Null: the mesh's clusters are tested for whether this eye sees them, before their vertices are
@@ -29,16 +29,16 @@ struct DrawMethod {
   const char* alone_because = nullptr;
 
   // ---- vertices ----
-  BoxClassification classification;  // of all vertices: the proof for the next two fields
+  BoxClassification classification;  // where all vertices are; decides `drawn` and `test_planes`
   bool hidden = false;               // all of it is behind earlier draws
   bool drawn = true;                 // otherwise no stage processes it
-  // It writes to the framebuffer, or is blended over what is there: it keeps its place in the
-  // order, and the planes are kept up to date for it.
+  // The draw writes to the framebuffer or is blended with what is there. So it keeps its place in
+  // the order of drawing, and the framebuffer is up to date when it is drawn.
   bool into_framebuffer = false;
   bool test_planes = true;  // each vertex is tested for whether it needs clipping
-  bool divide = true;       // by w, which may differ from 1
-  // Normals of vertices are transformed to eye space; and those of faces, where some corner has no
-  // normal.
+  bool divide = true;       // w may differ from 1
+  // Whether the normals of vertices are transformed to eye space, and those of faces (for flat
+  // shading, or if some corner has no normal).
   bool normals = false;
   bool face_normals = false;
   bool eye_positions = false;  // lighting needs the position of the surface
@@ -55,7 +55,7 @@ struct DrawMethod {
   bool emission_texture = false;
 };
 
-// The circumstances in which methods are chosen for a picture's draws.
+// What the methods of a picture's draws depend on, apart from the draws themselves.
 struct MethodInputs {
   const Lighting& lighting;
   const View& view;
@@ -63,11 +63,11 @@ struct MethodInputs {
   bool colors = true;     // the colours are visible
   bool leave_out = true;  // leave out what the proofs allow; otherwise all possible stages run
 };
-// `classification`: of the draw, or of its group of instances.
+// `classification` is that of the draw's own box, or of the box of its group of instances.
 DrawMethod choose_method(const Draw& draw, const BoxClassification& classification,
                          const MethodInputs& inputs);
 
-// Whether w may differ from 1.
+// Whether w may differ from 1, so that the divide is needed.
 bool needs_divide(const Draw& draw);
 
 }  // namespace glassbox

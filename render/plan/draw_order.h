@@ -8,14 +8,15 @@
 
 namespace glassbox {
 
-// Two opaque draws whose ranges of depth codes do not overlap may be exchanged: the nearer one wins
-// every pixel that both cover, in either order. (With a code in common the first drawn would win,
-// so such draws keep their order.)
+// Whether two opaque draws may be exchanged: their ranges of depth codes do not overlap, so the
+// nearer draw wins every pixel that both cover, in either order. (If both had fragments with the
+// same code, the one that is drawn first would win, so draws whose ranges overlap keep their
+// order.)
 inline bool may_overtake(const DepthCodes& later, const DepthCodes& earlier) {
   return later.farthest < earlier.nearest;
 }
 
-// Moves draws of `order`, indices into `codes`, towards the front past those that they may
+// Moves each draw of `order` (indices into `codes`) towards the front, past the draws that it may
 // overtake. Returns how many draws have moved. A draw overtakes at most kMostOvertaken others, so
 // that ordering thousands of draws takes less time than it saves.
 inline constexpr std::size_t kMostOvertaken = 256;

@@ -14,7 +14,8 @@ namespace glassbox {
 // instance in double, and M their product with the anchor's translation, rounded to float: vertices
 // are multiplied by M. In exact arithmetic coordinate r of clip space is q . X + q3, where q is the
 // first three entries of row r of P E. So over the group's box its extremes are at corners. The
-// computed coordinate differs from it by at most
+// coordinate that is computed with M differs from it by at most the sum of these errors, where
+// gamma_n = n u / (1 - n u) and u is the unit roundoff, 2^-24 (in D, 2^-53):
 //
 //   gamma_4 S  the float product, S = sum |M_k| |x_k| + |M_3| (PlaneOverBoxes of clip.h)
 //   u S        the rounding of M
@@ -22,15 +23,15 @@ namespace glassbox {
 //   tiny       4 2^-149 for products that are subnormal, and 2^-150 |x_k| for entries of M
 //              that are subnormal
 //
-// M_k = q . W_k, so by Cauchy's inequality sum |M_k| |x_k| <= |q| reach. M_3 is the coordinate of
-// the anchor, whose distance from X is at most reach, so |M_3| <= |coordinate at X| + |q| reach.
-// Therefore S <= largest coordinate over the box + 2 |q| reach.
+// M_k = q . W_k, so by Cauchy's inequality sum |M_k| |x_k| <= |q| reach (InstanceGroup::reach). M_3
+// is the coordinate of the anchor, whose distance from X is at most reach, so |M_3| <= |coordinate
+// at X| + |q| reach. Therefore S <= largest coordinate over the box + 2 |q| reach.
 
 namespace {
 
 constexpr double kLargestFloat = std::numeric_limits<float>::max();
 
-// The range of a x + b y + c z + d w + e over the box, for a clip plane.
+// The range of the signed distance a x + b y + c z + d w + e from a clip plane over a box.
 struct Distances {
   double least = 0, greatest = 0;
 };
@@ -91,7 +92,8 @@ ClipCoordinate GroupClassifier::coordinate_over(const InstanceGroup& group, cons
   }
   const double in_double = gamma<double>(32) * (row.by_far * group.far + row.by_one);
   const double size = largest + 2 * row.length * group.reach + in_double;
-  // One rounding more than the five of the float product, for the rounding errors here.
+  // The proof above has five roundings in float; gamma(6) allows one more, for the rounding errors
+  // of this function.
   c.error = gamma<float>(6) * size + in_double + (1 + group.sizes) * (8 * 0x1p-149);
   c.largest_term = std::max(size, row.length * group.column);
   return c;
@@ -102,7 +104,7 @@ std::optional<BoxClassification> GroupClassifier::classify(const InstanceGroup& 
   std::array<ClipCoordinate, 4> clip;
   for (std::size_t row = 0; row < 4; ++row) {
     clip[row] = coordinate_over(group, rows_[row]);
-    if (!(clip[row].largest_term < kLargestFloat / 16)) return std::nullopt;  // or it is NaN
+    if (!(clip[row].largest_term < kLargestFloat / 16)) return std::nullopt;  // also if it is NaN
   }
   BoxClassification classification;
   classification.of_group = true;

@@ -1,5 +1,5 @@
-// Finds where a whole group of instances is and which depths it has, so that the plan need not test
-// each instance.
+// Classifies the box of a whole group of instances and bounds its depths, so that the plan need not
+// test each instance.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace glassbox {
 
-// Answers for groups what classify_draw_box() and depth_codes() answer for a draw. The result for a
-// group holds for each draw of it, as it is transformed to clip space in float.
+// Does for a group of instances what classify_draw_box() and depth_codes() do for one draw. The
+// result for a group holds for each draw of it, as it is transformed to clip space in float.
 class GroupClassifier {
 public:
   explicit GroupClassifier(const View& view);
@@ -32,15 +32,16 @@ private:
   struct Row {
     std::array<double, 3> slope{};
     double offset = 0;
-    double length = 0;  // of the slope
-    // The error bound of the matrices in double: by_far |largest coordinate| + by_one.
+    double length = 0;  // length of the vector `slope`
+    // Two sums of absolute values of products of the matrices' entries. The rounding error of the
+    // coordinate in double is at most gamma(32) (by_far |largest world coordinate| + by_one).
     double by_far = 0, by_one = 0;
   };
   ClipCoordinate coordinate_over(const InstanceGroup& group, const Row& row) const;
 
   const View& view_;
   std::array<Row, 4> rows_;
-  // The near, far and eye planes; the edges of the picture and of the guard band.
+  // Clip planes: near, far and eye; and the edges of the picture and of the guard band.
   std::vector<ClipPlane> near_eye_far_, edges_;
 };
 

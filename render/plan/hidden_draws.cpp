@@ -11,13 +11,13 @@ namespace glassbox {
 
 namespace {
 
-// How many draws of the order are tested; the draws after them are always drawn.
+// How many draws are tested, in the order of drawing; the draws after them are always drawn.
 constexpr std::size_t kMostDraws = 4096;
 
-// Work is counted in triangles drawn by the vectorised code, about 20 ns each (S5 of the benchmark:
-// 22 ms for a million). kMostWork is the largest cost of testing per sample point of a pixel in any
-// scene, kLeastWork the cost that is always allowed. kWorkOfTriangle is the cost of setting up a
-// triangle by the staged primitives, about 500 ns.
+// Work is counted in units of the time in which the vectorised code draws one triangle, about 20 ns
+// (S5 of the benchmark: 22 ms for a million). kMostWork is the most that the test may cost for each
+// sample point of a pixel, kLeastWork the cost that is always allowed. kWorkOfTriangle is the cost
+// of setting up a triangle by the stages of the reference, about 500 ns.
 constexpr std::size_t kMostWork = std::size_t{1} << 17, kLeastWork = 1024;
 constexpr std::size_t kWorkOfTriangle = 24;
 
@@ -25,7 +25,8 @@ bool is_filled(const Draw& draw) {
   return draw.mesh->lines.empty() && draw.mesh->points.empty();
 }
 
-// The sample points of the picture, and the pixel centres, which have depth planes of their own.
+// Returns the sample points of a pixel and, if there are several, also its centre, whose depth is
+// stored separately.
 std::vector<SampleOffset> points_of(const RenderSettings& settings) {
   const std::span<const SampleOffset> samples = sample_offsets(samples_drawn(settings));
   std::vector<SampleOffset> points(samples.begin(), samples.end());
@@ -33,7 +34,7 @@ std::vector<SampleOffset> points_of(const RenderSettings& settings) {
   return points;
 }
 
-// The triangles of a draw, prepared as they will be drawn.
+// Returns the triangles of a draw, set up as they will be drawn.
 std::vector<ReadyTriangle> prepare_triangles(const PlannedEye& eye, const Draw& draw) {
   const PrimitiveStage stage{.draw = draw,
                              .clip = nullptr,
@@ -60,7 +61,8 @@ public:
         points_(points_of(eye.settings)),
         most_work_(points_.size() * std::clamp(triangles / 4, kLeastWork, kMostWork)) {}
 
-  // `pixels`: the pixels that the draw's box reaches; nothing if the box reaches the eye.
+  // Whether the triangles added so far hide the whole draw. `pixels`: the pixels that the draw's
+  // box reaches; nothing if the box reaches the eye.
   bool occludes(const Draw& draw, const DepthCodes& codes,
                 const std::optional<PixelRect>& pixels) const {
     return occlusion_ && !occlusion_->covers_nothing() && is_filled(draw) && pixels &&
@@ -85,7 +87,7 @@ public:
 private:
   std::size_t work() const { return work_ + (occlusion_ ? occlusion_->work() : 0); }
 
-  // The largest number of cells that something within `pixels` may cover.
+  // Returns the largest number of cells that something within `pixels` may cover completely.
   std::size_t most_cells(const PixelRect& pixels) const {
     const PixelRect seen = intersect(pixels, window_);
     if (seen.empty()) return 0;
@@ -96,8 +98,8 @@ private:
   const PlannedEye& eye_;
   PixelRect window_;
   std::vector<SampleOffset> points_;
-  std::optional<OcclusionBuffer> occlusion_;  // made when something may hide something
-  std::size_t work_ = 0;                      // of setting up triangles
+  std::optional<OcclusionBuffer> occlusion_;  // made when the first draw is added
+  std::size_t work_ = 0;                      // the work of setting up triangles
   std::size_t most_work_;
 };
 
@@ -112,7 +114,8 @@ std::vector<bool> find_hidden_draws(const PlannedEye& eye, const Plan& plan, dou
   HiddenDraws found(eye, triangles);
   for (std::size_t at = 0; at < std::min(plan.order.size(), kMostDraws); ++at) {
     const std::uint32_t i = plan.order[at];
-    // A staged draw may draw lines (wireframe) instead of surfaces.
+    // A staged draw (drawn by the stages of the reference) may draw lines (wireframe) instead of
+    // surfaces.
     if (plan.methods[i].staged_because != nullptr) break;
     const std::optional<PixelRect> pixels = pixels_of_box(draws[i], eye.view, margin_px);
     hidden[i] = found.occludes(draws[i], plan.codes[i], pixels);

@@ -1,4 +1,4 @@
-// Finds draws that others hide, before anything is drawn.
+// Finds draws that earlier draws hide completely, before anything is drawn.
 #pragma once
 
 #include <vector>

@@ -25,8 +25,8 @@ TriangleSetup seen_at(TriangleSetup triangle, const SampleOffset& point) {
 
 enum class CellCoverage { kNothing, kPart, kAll };
 
-// The coverage of the pixels x0 .. x0 + 15, y0 .. y0 + 15. Edge functions are linear, so over a
-// square their largest and smallest values are at corners.
+// Returns how much the triangle covers of the pixels x0 .. x0 + 15, y0 .. y0 + 15. Edge functions
+// are linear, so over a square their largest and smallest values are at corners.
 CellCoverage cell_coverage(const TriangleSetup& triangle, int x0, int y0) {
   bool all = true;
   for (const EdgeFunction& edge : triangle.edges) {
@@ -87,7 +87,7 @@ void OcclusionBuffer::add(const TriangleSetup& triangle, std::uint32_t farthest)
 void OcclusionBuffer::add_to_cell(const TriangleSetup& triangle, int cell_x, int cell_y,
                                   std::uint32_t farthest, Cell& cell) {
   ++work_;
-  if (farthest >= cell.farthest) return;  // what is there already is as near
+  if (farthest >= cell.farthest) return;  // the cell is already covered as near or nearer
   const int x0 = cell_x * kCell, y0 = cell_y * kCell;
   switch (cell_coverage(triangle, x0, y0)) {
     case CellCoverage::kNothing:

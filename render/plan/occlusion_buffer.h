@@ -2,10 +2,11 @@
 // them is occluded.
 //
 // Each cell of 16 x 16 pixels has a depth code that bounds the whole cell: all of it is covered at
-// least as near as that code. A second layer is being built: which of its pixels the later
-// triangles have covered, and the farthest of their codes (after Hasselgren, Andersson and
-// Akenine-Moeller, Masked Software Occlusion Culling, 2016). As in drawing, edge functions decide
-// which pixels a triangle covers.
+// least as near as that code. In addition, the cell records which of its pixels have been covered
+// by triangles since then, and the farthest of their codes; when all pixels are covered, this code
+// becomes the new bound of the cell (after Hasselgren, Andersson and Akenine-Moeller, Masked
+// Software Occlusion Culling, 2016). As in drawing, edge functions decide which pixels a triangle
+// covers.
 #pragma once
 
 #include <array>
@@ -30,8 +31,8 @@ public:
   // Adds a triangle. All its fragments have codes of at most `farthest`.
   void add(const TriangleSetup& triangle, std::uint32_t farthest);
 
-  // Whether something that was added is at least as near as `nearest`, at every sample point of
-  // `pixels` that is in the window.
+  // Whether at every sample point of the part of `pixels` that is in the window, something that was
+  // added has a depth code of at most `nearest`.
   bool occludes(const PixelRect& pixels, std::uint32_t nearest) const;
 
   bool covers_nothing() const { return closed_ == 0; }
@@ -40,10 +41,11 @@ public:
   std::size_t work() const { return work_; }
 
 private:
-  using Rows = std::array<std::uint16_t, kCell>;  // pixels of a cell; bit i: pixel i
+  // The pixels of a cell, row by row; bit i: pixel i.
+  using Rows = std::array<std::uint16_t, kCell>;
   struct Cell {
-    std::uint32_t farthest = kEmptyDepth;  // of what covers the whole cell
-    std::uint32_t next = 0;                // of what covers all but the open pixels
+    std::uint32_t farthest = kEmptyDepth;  // the whole cell is covered at least as near
+    std::uint32_t next = 0;                // all pixels but `open` are covered at least as near
     Rows open{};
   };
 
@@ -56,8 +58,8 @@ private:
   PixelRect window_;
   int across_ = 0, down_ = 0;
   std::vector<SampleOffset> points_;
-  std::vector<Cell> cells_;  // row by row; first those of the first point, then of the second ...
-  std::size_t closed_ = 0;   // how often a cell was closed
+  std::vector<Cell> cells_;  // row by row, for sample point 0, then for point 1 ...
+  std::size_t closed_ = 0;   // how often a cell became wholly covered
   std::size_t work_ = 0;
 };
 

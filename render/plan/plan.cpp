@@ -16,7 +16,7 @@ bool is_empty(const ColorMask& mask) {
 }
 
 // Whether a picture of triangle numbers needs this draw's colours. Lines and points have no number:
-// where one is seen such a picture keeps its colour, and if it is blended also the colours behind
+// where one is seen, such a picture shows its colour, and if it is blended also the colours behind
 // it.
 bool keeps_colors(const Draw& draw) {
   return draw.material->alpha_mode == AlphaMode::kBlend &&
@@ -24,13 +24,13 @@ bool keeps_colors(const Draw& draw) {
 }
 
 // Whether the colours of fragments are visible. Pictures of depth and of triangle numbers are made
-// from other planes, after the run.
+// after the run from other images of the framebuffer.
 bool sees_colors(const PlannedEye& eye) {
   if (is_empty(eye.settings.mask) || eye.settings.show == Show::kDepth) return false;
   return eye.settings.show != Show::kId || std::ranges::any_of(eye.list.draws, keeps_colors);
 }
 
-// The part of the plan that is the same for all draws of a group, once it has been computed.
+// The decisions that are the same for all draws of a group of instances; made when first needed.
 struct GroupPlan {
   bool is_classified = false;
   std::optional<BoxClassification> classification;  // none: each draw has to be tested
@@ -47,7 +47,7 @@ public:
         classifier_(eye.view),
         plans_(eye.list.groups != nullptr ? eye.list.groups->groups.size() : 0) {}
 
-  // Null: the draw has to be tested by itself.
+  // Returns the method for a draw of the group; null if the draw has to be tested by itself.
   const DrawMethod* method_of(const Draw& draw, const MethodInputs& inputs) {
     if (plans_.empty()) return nullptr;
     GroupPlan& plan = plan_of(draw);
@@ -133,7 +133,8 @@ void unify_plans(std::span<Plan> plans) {
   }
 }
 
-// Gives the same order for both eyes of a pair, because their z and w are equal.
+// Sorts the draws front to back. The order suits both eyes of a pair, because their z and w are
+// equal.
 void order_draws(Plan& plan) {
   plan.order.reserve(plan.methods.size());
   for (std::uint32_t i = 0; i < plan.methods.size(); ++i) {

@@ -1,8 +1,9 @@
-// Plans which of a picture's work can be left out, and the order of the rest. It uses cheap proofs:
-// boxes, matrices, materials, and the wanted planes. The bytes are those of the staged reference,
-// with or without a plan.
+// Plans which work of a picture can be left out, and in which order its draws are drawn. The proofs
+// are cheap: they use boxes, matrices, materials, and which images are wanted. The bytes are those
+// of the staged reference, with or without a plan.
 //
-// The engine reads the flags; decisions.h puts the same into words, each decision with its proof.
+// The engine reads the flags of the plan; decisions.h puts them into words, each decision with its
+// proof.
 #pragma once
 
 #include <cstddef>
@@ -19,28 +20,29 @@
 
 namespace glassbox {
 
-// The inputs of one eye's picture.
+// What the plan for one eye's picture is made from.
 struct PlannedEye {
   const DrawList& list;
   const View& view;
   const RenderSettings& settings;
-  bool has_behind_depth = false;  // EyePicture::behind_depth is set: what is in front hides nothing
+  // EyePicture::behind_depth is set: surfaces in front of it are not drawn, so they hide nothing.
+  bool has_behind_depth = false;
 };
 
 struct Plan {
   bool leaves_out = true;
-  std::vector<DrawMethod> methods;   // by draw
-  std::vector<std::uint32_t> order;  // the order of drawing, of the draws that are drawn
-  // The depth codes of each draw within the view, or those of its group of instances. Empty where
-  // there is nothing to order.
+  std::vector<DrawMethod> methods;   // one for each draw
+  std::vector<std::uint32_t> order;  // the draws that are drawn, in the order of drawing
+  // The range of depth codes of each draw within the view, or that of its group of instances. Empty
+  // if there is nothing to order.
   std::vector<DepthCodes> codes;
   std::size_t moved = 0;  // how many draws were moved before earlier draws of the list
 
   bool colors = true;  // the colours are visible
   ColorMask channels;  // the channels that are encoded
-  // The picture's pixels are read before they are written, even if they are not needed.
+  // The picture's pixels are read before they are written, even if their values are not needed.
   bool read_back = false;
-  bool keep_depth = false;  // in a plane of the framebuffer, because it is wanted
+  bool keep_depth = false;  // in the framebuffer, because depth is wanted
 };
 
 // Makes one plan for each eye of a picture: one eye, or the two of a pair, whose views differ in x
@@ -49,8 +51,8 @@ struct Plan {
 using Planner = std::vector<Plan> (*)(std::span<const PlannedEye> eyes, bool leave_out);
 std::vector<Plan> make_plans(std::span<const PlannedEye> eyes, bool leave_out);
 
-// The draws of a picture's eyes, and what is planned for them. By eye. The eyes refer to the lists;
-// memory is used again for the next picture.
+// The draw lists and plans of a picture, one for each eye. The members of `eyes` refer to `lists`.
+// Memory is reused for the next picture.
 struct PlannedPicture {
   std::vector<DrawList> lists;
   std::vector<PlannedEye> eyes;

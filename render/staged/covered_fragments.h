@@ -21,8 +21,8 @@ struct CoveredFragment {
   Fragment place;  // where it is shaded: at the centre, if that is covered
   bool centre = false;
   std::uint32_t centre_code = 0;
-  std::uint32_t samples = 0;                      // bit s: sample s
-  std::array<std::uint32_t, kMostSamples> codes;  // the depth codes of those samples
+  std::uint32_t samples = 0;                      // bit s: sample s is covered
+  std::array<std::uint32_t, kMostSamples> codes;  // the depth codes of the covered samples
 
   bool is_empty() const { return !centre && samples == 0; }
 };
@@ -40,7 +40,7 @@ void interpolate_at(const Coverage& coverage, const FragmentStage& stage, const 
   fragment.centre_code = depth_code(stage.settings.depth, fragment.place.depth);
 }
 
-// Visits the fragments at pixel centres.
+// Calls visit for each fragment at a pixel centre.
 template <class Watch, class Visit>
 void for_each_centre(const FragmentStage& stage, const Watch& watch, const TriangleSetup& setup,
                      const Surface& surface, const Visit& visit) {
@@ -57,8 +57,9 @@ void for_each_centre(const FragmentStage& stage, const Watch& watch, const Trian
   }
 }
 
-// Visits the fragments at samples, and also at pixel centres if the surface writes to the planes of
-// pixel centres.
+// Calls visit for each fragment of a picture with several samples per pixel: it has the covered
+// samples, and also the pixel's centre if the surface writes to the images of the framebuffer that
+// store values of centres (depth, distance, id).
 template <class Watch, class Visit>
 void for_each_sampled_pixel(const FragmentStage& stage, const Watch& watch,
                             const TriangleSetup& setup, const Surface& surface,
@@ -88,13 +89,14 @@ void for_each_fragment(const FragmentStage& stage, const Watch& watch, const Tri
   }
 }
 
-// Whether the fragment is discarded although nothing is in front of it, because it is not behind
-// the given depth. (kEmptyDepth is the largest code.)
+// Whether the fragment is discarded because it is not behind the given depth
+// (EyePicture::behind_depth), although nothing nearer was drawn. (No fragment is behind
+// kEmptyDepth, the largest code.)
 inline bool is_hidden(const FragmentStage& stage, const Fragment& place, std::uint32_t code) {
   return stage.behind_depth != nullptr && code <= stage.behind_depth->at(place.x, place.y);
 }
 
-// Keeps of the fragment only what is in front of the stored depths.
+// Removes from the fragment its centre or samples where it is not in front of the stored depth.
 template <class Watch>
 void test_depth(const FragmentStage& stage, const Watch& watch, const FragmentSource& source,
                 CoveredFragment& fragment) {

@@ -15,19 +15,20 @@ bool is_unseen(const Draw& draw, const Triangle& triangle, const std::vector<Out
   return is_outside_both_views(codes);
 }
 
-// How far outside the picture a line may be and still reach into it: a line colours samples at most
-// half a pixel away from it, and these are in the picture. The other half pixel is far more than
-// the following rounding errors.
+// How many pixels outside the picture a line may be and still reach into it. A line colours samples
+// at most half a pixel away from it. The other half pixel is far more than the rounding errors, as
+// follows.
 //
 // A culled primitive has, for example, x > s w at all its corners, with w > 0 (outcode_within) and
-// s = 1 + 2 px/W. Where it crosses a plane, x and w are between those of its ends, rounded to
-// float. All terms are positive, so x/w loses at most 2^-23 of itself at each of at most 7 planes.
-// The divide rounds twice, the viewport rounds a product and a sum, by 2^-24 each, and the snap
-// moves by 1/512 px. With W = 16384 the sum is at most
-//   17 * 2^-24 * 8193 + 2^-24 * 16385 + 1/512 < 0.012 px.
+// s = 1 + 2 px/W, where W is the picture's width. Where an edge crosses a clip plane, x and w are
+// interpolated between its ends and rounded to float. All terms are positive, so x/w loses at most
+// 2^-23 of itself at each of at most 7 planes. The divide rounds twice, the viewport rounds a
+// product and a sum, by 2^-24 each, and the snap moves by 1/512 px. With W = 16384 the errors add
+// up to at most 17 * 2^-24 * 8193 + 2^-24 * 16385 + 1/512 < 0.012 px (17 = 2 * 7 + 2 + 1).
 constexpr double kLineMarginPx = 1;
 
-// How far from the centre the margin for lines ends, relative to the edge of the picture.
+// Returns how far from the picture's centre the margin for lines ends, relative to the picture's
+// edge.
 double margin_share(float side_px) {
   return 1 + 2 * kLineMarginPx / std::abs(double(side_px));
 }
@@ -66,7 +67,8 @@ Outcode CullingList::outcode_within(StereoClipPoint point) const {
   for (float* x : {&point.left_x, &point.right_x}) *x = float(double(*x) / share_x_);
   point.y = float(double(point.y) / share_y_);
   const Outcode code = stereo_outcode(point, centre_);
-  // Behind the eye, the sides of the picture say little about where a line is that a plane cuts.
+  // For lines, the tests with the sides of the picture hold only in front of the eye, where w > 0
+  // (see kLineMarginPx).
   return as_lines && !(point.w > 0) ? code & ~kStereoSides : code;
 }
 

@@ -13,7 +13,7 @@ namespace glassbox {
 
 class CullingList {
 public:
-  // `as_lines`: the edges of triangles are drawn, and lines reach beyond the triangles.
+  // `as_lines`: only the edges of triangles are drawn, as lines, which reach beyond the triangles.
   CullingList(StereoCulling how, const View& centre, const std::vector<Draw>& left_draws,
               const std::vector<Draw>& right_draws, bool as_lines);
 
@@ -32,9 +32,10 @@ private:
 
   const View& centre_;
   const std::vector<Draw>&left_draws_, &right_draws_;
-  double share_x_ = 1, share_y_ = 1;  // relative size of the picture with its margin for lines
-  std::vector<Draw> centre_draws_;    // empty with kUnion
-  std::vector<std::vector<Triangle>> kept_;  // by draw
+  // The size of the picture with its margin for lines, divided by the size of the picture.
+  double share_x_ = 1, share_y_ = 1;
+  std::vector<Draw> centre_draws_;           // for the camera between the eyes; empty with kUnion
+  std::vector<std::vector<Triangle>> kept_;  // for each draw, the triangles that are drawn
   PairCullCounts counts_;
 };
 

@@ -50,7 +50,8 @@ private:
 
 // The data that the eyes of a pair share.
 struct PairSharedData {
-  std::vector<DrawTables> tables;      // by draw; x of clip space is not shared
+  // One for each draw; x in clip space is that of the current eye.
+  std::vector<DrawTables> tables;
   std::optional<CullingList> culling;  // absent: all triangles are submitted
 
   std::span<const Triangle> triangles(const Draw& draw, std::size_t index) const {

@@ -23,7 +23,8 @@ struct Surface {
   std::optional<TexturePlanes> texture;  // set if the base colour or the emission is textured
   FragmentSource source;
   std::uint32_t id = 0;  // the value for Framebuffer::id
-  // With several samples per pixel it also writes to the planes of pixel centres.
+  // With several samples per pixel: whether it also writes depth, distance and id, which the
+  // framebuffer stores for pixel centres.
   bool has_centres = false;
 };
 
@@ -41,7 +42,7 @@ inline Surface surface_of(const FragmentStage& stage, const ReadyTriangle& trian
   return surface;
 }
 
-// The level of the mip chain that suits the fragment; 0 for lines and points.
+// Returns the level of the mip chain that suits the fragment; 0 for lines and points.
 inline float detail_at(const MipChain& texture, const Surface& surface, const Varyings& at,
                        const Fragment& fragment) {
   if (!surface.texture) return 0.0f;
@@ -74,7 +75,7 @@ struct StagedFragment : UnobservedFragment {
   }
 
   const Material& material() const { return *stage.draw.material; }
-  static constexpr bool has_vertex_color() { return true; }  // white if the mesh has none
+  static constexpr bool has_vertex_color() { return true; }  // it is white if the mesh has none
   SurfaceColorOf<float> vertex_color() const {
     return {{at.color[0], at.color[1], at.color[2]}, at.color[3]};
   }
@@ -103,8 +104,8 @@ inline bool is_discarded(const Material& material, const Rgba& surface) {
   return material.alpha_mode == AlphaMode::kMask && !reaches_cutoff(surface.a, material);
 }
 
-// Whether the fragment is blended over what is there. (Pictures of normals and texture coordinates
-// are opaque.)
+// Whether the fragment is blended over the colour that is there. (Pictures of normals and texture
+// coordinates are opaque.)
 inline bool is_blended(const FragmentStage& stage) {
   return stage.draw.material->alpha_mode == AlphaMode::kBlend &&
          stage.settings.show != Show::kNormal && stage.settings.show != Show::kUv;
@@ -112,7 +113,7 @@ inline bool is_blended(const FragmentStage& stage) {
 
 // ---- colours ----
 
-// A direction as a colour: each component is mapped from [-1, 1] to [0, 255].
+// Returns a direction as a colour: each component is mapped from [-1, 1] to [0, 255].
 inline Rgba8 picture_of_normal(const std::array<float, 3>& n) {
   const float squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
   const float scale = squared > 0.0f ? 0.5f / std::sqrt(squared) : 0.0f;
@@ -120,12 +121,13 @@ inline Rgba8 picture_of_normal(const std::array<float, 3>& n) {
           encode_unorm8(n[2] * scale + 0.5f), 255};
 }
 
-// Texture coordinates modulo 1 as red and green.
+// Returns texture coordinates modulo 1 as red and green.
 inline Rgba8 picture_of_texcoord(const std::array<float, 2>& t) {
   return {encode_unorm8(t[0] - std::floor(t[0])), encode_unorm8(t[1] - std::floor(t[1])), 0, 255};
 }
 
-// The colour that a fragment writes: its light, or, as bytes, the quantity that is shown instead.
+// The colour that a fragment writes: its light, or, as bytes, the quantity that is shown instead
+// (the normal or the texture coordinates).
 struct FragmentColor {
   Rgba light;
   std::optional<Rgba8> quantity;
@@ -140,11 +142,12 @@ FragmentColor fragment_color(const StagedFragment<Watch>& of, const Rgba& base) 
   Rgba color{r, g, b, base.a};
   watch.notify(&Observer::lit, at, base, color);
   const bool blended = stage.draw.material->alpha_mode == AlphaMode::kBlend;
-  color.a = blended ? std::clamp(color.a, 0.0f, 1.0f) : 1.0f;  // vertex colours may exceed 1
+  // Alpha of a vertex colour may exceed 1.
+  color.a = blended ? std::clamp(color.a, 0.0f, 1.0f) : 1.0f;
   return {color, {}};
 }
 
-// Returns the bytes to store where `before` was stored.
+// Returns the bytes to store in place of `before`.
 inline Rgba8 encode_color(const FragmentStage& stage, const FragmentColor& color,
                           const Rgba8& before) {
   if (color.quantity) return *color.quantity;

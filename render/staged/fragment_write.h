@@ -1,4 +1,5 @@
-// Writes a fragment: its colour, at the pixel or at its samples, and the planes of pixel centres.
+// Writes a fragment: its colour to the pixel or to its samples, and depth, distance and id, which
+// are stored for pixel centres.
 #pragma once
 
 #include <glassbox/raster/blend.h>
@@ -8,7 +9,8 @@
 
 namespace glassbox {
 
-// With several samples, the samples have the colour, and the pixel gets their mean at the end.
+// Whether the fragment's colour is written. With several samples per pixel, only covered samples
+// get the colour, and the pixel gets their mean at the end.
 inline bool shows_color(const FragmentStage& stage, const CoveredFragment& fragment) {
   return stage.samples == nullptr || fragment.samples != 0;
 }
@@ -40,7 +42,8 @@ void write_color(const FragmentStage& stage, const Watch& watch, const CoveredFr
   write_over(stage, watch, fragment, color, stage.color.at(fragment.place.x, fragment.place.y));
 }
 
-// Writes the planes of the framebuffer that belong to pixel centres: all except the colours.
+// Writes to the images of the framebuffer that store values of pixel centres: all except the
+// colours.
 inline void write_planes(const FragmentStage& stage, const CoveredFragment& fragment,
                          std::uint32_t id, bool writes_depth) {
   Framebuffer& target = stage.target;

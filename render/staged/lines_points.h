@@ -1,7 +1,7 @@
 // Lines and points become fragments at pixel centres. With several samples per pixel they also
-// cover samples: a line those in a rectangle around it, one pixel wide with square ends, and a
-// point those in the unit square around it. The pixel centres do not depend on the number of
-// samples.
+// cover samples: a line covers the samples in a rectangle around it, one pixel wide with square
+// ends, and a point the samples in the unit square around it. Which pixel centres are covered does
+// not depend on the number of samples.
 #pragma once
 
 #include <array>
@@ -50,8 +50,8 @@ void rasterise_quad(const FragmentStage& stage, const Watch& watch,
   }
 }
 
-// At the line's ends both triangles of the rectangle have the ends' depth and 1/w, so that nothing
-// changes across the line.
+// Draws the rectangle around a line. Its corners have the depth, 1/w and attributes of the line's
+// end next to them, so that nothing changes across the line.
 template <class Watch>
 void rasterise_samples(const FragmentStage& stage, const Watch& watch, const ReadyLine& line) {
   const auto& [a, b] = line.ends;

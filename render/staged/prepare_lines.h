@@ -37,8 +37,8 @@ void prepare_segment(const PrimitiveStage& stage, const Watch& watch,
                    source});
 }
 
-// Prepares the edges of a triangle, each clipped separately: a clipped triangle has edges that are
-// not its own.
+// Prepares the edges of a triangle, each clipped separately: the polygon that clipping leaves of
+// the triangle also has edges along the clip planes, which are not edges of the triangle.
 template <class Watch>
 void prepare_edges(const PrimitiveStage& stage, const Watch& watch,
                    const std::array<ClipVertex, 3>& corners,

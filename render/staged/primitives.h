@@ -17,9 +17,9 @@ namespace glassbox {
 
 struct ReadyTriangle {
   TriangleSetup setup;
-  std::array<Varyings, 3> vertices;  // in the order of the setup
+  std::array<Varyings, 3> vertices;  // attributes, in the order that the setup gives the vertices
   std::uint32_t number = 0;          // number in the whole scene
-  std::uint32_t piece = 0;           // index in the fan that clipping left of the triangle
+  std::uint32_t piece = 0;           // index in the fan of triangles that clipping left
 };
 
 struct ReadyLine {
@@ -44,7 +44,7 @@ struct PrimitiveStage {
   const RenderSettings& settings;
   const Lighting& lighting;
   std::array<ClipPlane, kMaxClipPlanes> planes;  // render_planes(view)
-  // For triangles that no plane cuts; absent: nothing is culled early.
+  // Culls triangles before clipping, if no plane cuts them; absent: nothing is culled early.
   std::optional<ObjectCull> object_cull;
 };
 
@@ -55,14 +55,14 @@ struct FragmentStage {
   const View& view;
   const RenderSettings& settings;
   const Lighting& lighting;
-  Framebuffer& target;    // every plane except the colours
-  Image<Rgba8>& color;    // the target's own, or the one that the eyes of an anaglyph share
+  Framebuffer& target;    // all images except the colours are written to it
+  Image<Rgba8>& color;    // target.color, or a picture that the eyes of an anaglyph share
   PixelRect window;       // the part of the picture that is drawn
-  SamplePlanes* samples;  // null: one sample, at the pixel's centre, straight into `color`
+  SamplePlanes* samples;  // null: one sample, at the pixel's centre, written to `color`
   const Image<std::uint32_t>* behind_depth = nullptr;  // see EyePicture::behind_depth
 };
 
-// The channels that are written, and alpha if the material needs it.
+// Returns the channels that are written, and alpha if the material needs it.
 inline ColorMask shaded_channels(const Draw& draw, const RenderSettings& settings) {
   ColorMask channels = settings.mask;
   channels.a = channels.a || draw.material->alpha_mode != AlphaMode::kOpaque;

@@ -1,7 +1,7 @@
-// The reference: takes a triangle through every stage, in order. First from its corners to pieces
-// on the screen, and then to the pixels. There are two steps because each is timed, and because the
-// tile engine sorts between them. `watch` is one of the types of watch.h; it is called with each
-// stage's result.
+// The reference: takes a triangle through every stage, in order. The first step goes from its
+// corners to triangles on the screen, the second step to the pixels. There are two steps because
+// each is timed, and because the tile engine sorts triangles into tiles between them. `watch` is
+// one of the types of watch.h; it is called with each stage's result.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,9 @@
 
 namespace glassbox {
 
-// Appends what is left of a triangle of the mesh: nothing, the triangle itself, or the fan of its
-// clipped polygon. With RenderSettings::wireframe its edges are appended to `lines` instead.
+// Appends what is left of a triangle of the mesh after clipping and culling: nothing, the triangle
+// itself, or the fan of its clipped polygon. With RenderSettings::wireframe its edges are appended
+// to `lines` instead.
 template <class Watch>
 void prepare_triangle(const PrimitiveStage& stage, const Watch& watch, const Triangle& triangle,
                       std::vector<ReadyTriangle>& triangles, std::vector<ReadyLine>& lines) {
@@ -43,7 +44,8 @@ void prepare_triangle(const PrimitiveStage& stage, const Watch& watch, const Tri
   watch.notify(&Observer::fanned, std::span(snapped).first(count), apex);
 
   const std::uint32_t number = stage.draw.first_number + triangle.number;
-  // The attributes of the corners, for the side of the first piece that is not culled.
+  // The corners' attributes, computed when the first triangle of the fan is not culled, for the
+  // side of it that is seen.
   std::optional<std::array<Varyings, 3>> visible;
   for (int i = 0; i < fan_size(polygon); ++i) {
     const std::array<std::size_t, 3> piece = fan_vertices(apex, polygon.count, i);

@@ -29,7 +29,7 @@ void count_input(const Draw& draw, Statistics& statistics) {
 
 // ---- primitives ----
 
-// The stages of one draw for one eye, and the primitives between them.
+// The data of the stages for one draw and one eye, and the primitives that wait to be rasterised.
 template <class Watch>
 struct DrawStages {
   PrimitiveStage primitives;
@@ -41,8 +41,8 @@ struct DrawStages {
   std::vector<ReadyPoint> points;
 };
 
-// An observer is called for every triangle in all stages, so nothing is culled early for it; the
-// bytes are the same.
+// Returns the test that culls triangles before clipping. With an observer there is none, because
+// the observer is called for every triangle in all stages; the bytes are the same.
 std::optional<ObjectCull> early_culling(const CountingWatch&, const Draw& draw,
                                         const EyePicture& eye) {
   return object_culling(draw, eye.view, eye.settings).test;
@@ -104,7 +104,7 @@ void prepare_batch(DrawStages<Watch>& stages, std::span<const Triangle> batch) {
   }
 }
 
-// Runs the stages after the vertex stage for some of the draw's triangles, in the order of the
+// Runs the stages after the vertex stage for the given triangles of the draw, in the order of the
 // mesh, and for all its lines and points.
 template <class Watch>
 void draw_primitives(DrawStages<Watch>& stages, std::span<const Triangle> triangles,
@@ -124,7 +124,8 @@ void draw_primitives(DrawStages<Watch>& stages, std::span<const Triangle> triang
 
 // ---- the run ----
 
-// Clears the framebuffer. If a run draws over an existing picture, it has no colours of its own.
+// Clears the framebuffer. If the run draws over an existing picture, the framebuffer has no colours
+// of its own.
 void clear(const EyePicture& eye) {
   const Stopwatch stopwatch(eye.statistics.prepare_ms);
   const Viewport& viewport = eye.view.viewport;

@@ -17,7 +17,7 @@ namespace glassbox {
 // The mesh's positions in the clip space of one eye, by index of the position.
 struct ClipTable {
   std::vector<Point<Clip>> positions;
-  std::vector<Outcode> outcodes;  // with respect to render_planes of the eye's view
+  std::vector<Outcode> outcodes;  // for the planes render_planes(view)
 };
 
 // Transforms entry `index` of the mesh's positions to clip space; project_x() computes only x.
@@ -40,8 +40,9 @@ ClipTable project_vertices(const Draw& draw, const View& view, const Watch& watc
   return table;
 }
 
-// The same for a stereo pair's other eye, from the first eye's table. The skew moves x alone
-// (S0-03): y, z and w are copied, and equal the result of projecting again.
+// Does the same for a stereo pair's other eye, starting from the first eye's table. The eyes'
+// frustums are skewed, which changes x alone (S0-03): y, z and w are kept, and equal the result of
+// projecting again.
 template <class Watch = NullWatch>
 ClipTable project_other_eye(const Draw& other_eye, const View& other_view, ClipTable table,
                             const Watch& watch = {}) {
@@ -55,15 +56,16 @@ ClipTable project_other_eye(const Draw& other_eye, const View& other_view, ClipT
   return table;
 }
 
-// The tables that lighting needs, the same for both eyes of a pair. Empty where nothing is lit.
+// The tables in eye space that lighting needs, the same for both eyes of a pair. They are empty
+// where nothing is lit.
 struct EyeSpaceTables {
-  std::vector<Point<Eye>> positions;  // by index of the position
-  std::vector<Normal<Eye>> normals;   // by index of the normal, unit length
-  // By index of the face, unit length; empty where every corner has its own normal.
+  std::vector<Point<Eye>> positions;  // one for each position of the mesh
+  std::vector<Normal<Eye>> normals;   // one for each normal of the mesh, unit length
+  // One for each face of the mesh, unit length; empty if none is needed (needs_face_normals).
   std::vector<Normal<Eye>> face_normals;
 };
 
-// The same tables, stored anywhere. Entries that are not needed may be missing.
+// References to the same tables, stored anywhere. Entries that are not needed may be missing.
 struct EyeSpace {
   bool lit = false;
   std::span<const Point<Eye>> positions;
@@ -80,7 +82,7 @@ struct EyeSpace {
 // The results of the vertex stage for a draw.
 struct DrawTables {
   ClipTable clip;            // for one eye
-  EyeSpaceTables eye_space;  // for all eyes
+  EyeSpaceTables eye_space;  // the same for all eyes
 };
 
 // Whether the draw's colour depends on normals: lit shading of a lit material, or a picture of the

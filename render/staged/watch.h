@@ -1,5 +1,5 @@
-// The types that watch a run of the staged stages: one does nothing, one counts, and one counts and
-// calls observers. Methods that do nothing cost nothing.
+// The types that watch a run of the reference's stages: one does nothing, one counts, and one
+// counts and calls observers. Methods that do nothing cost no time.
 //
 // A stage passes its result to the observers in one line, notify(&Observer::divided, ...), with the
 // method of Observer to call. A result that is counted in the statistics is passed to a count_...()
@@ -69,8 +69,8 @@ struct CountingWatch : NullWatch {
   }
 };
 
-// Counts, and calls observers, which may change what a stage has made. If the call of notify()
-// comes before the counting, the changed result is counted.
+// Counts, and calls observers, which may change the result of a stage. If notify() is called before
+// the count_...() method, the changed result is counted.
 struct ObserverWatch : CountingWatch {
   const Observers& observers;  // at least one
 

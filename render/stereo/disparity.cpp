@@ -17,8 +17,8 @@ std::int64_t bin_of(double px, double bin_px) {
 
 // Returns a bin width from the series 0.001, 0.002, 0.005, 0.01 ...
 double bin_width(double least, double greatest, int most_bins) {
-  // At most a million bins on each side of the window: floats can hardly distinguish more, and bins
-  // have integer numbers.
+  // At most a million bins on each side of the window, because floats can hardly distinguish finer
+  // disparities, and the numbers of bins are integers.
   const double finest = std::max({kFinestBin, std::abs(least) * 1e-6, std::abs(greatest) * 1e-6});
   for (double decade = kFinestBin;; decade *= 10) {
     for (const double width : {decade, 2 * decade, 5 * decade}) {
@@ -43,8 +43,8 @@ Image<float> disparity_map(const View& centre, const StereoPair& pair,
 }
 
 DisparitySummary summarise_disparity(const Image<float>& disparity, const ParallaxBudget& budget) {
-  // The budget is rounded as the disparities are, so that a disparity within the budget stays
-  // within it.
+  // The budget is rounded to float as the disparities are, so that a disparity within the budget
+  // stays within it.
   const float in_front = float(budget.in_front_px), behind = float(budget.behind_px);
   DisparitySummary found;
   for (const float pixel : disparity.pixels) {

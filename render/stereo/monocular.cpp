@@ -6,17 +6,18 @@
 namespace glassbox {
 namespace {
 
-constexpr double kSame = 0.5;  // px
+constexpr double kSame = 0.5;  // px; smaller differences count as equal
 
-// `shift` is the direction from a pixel of this eye to the other eye's: 1 from left to right, -1
-// from right to left.
+// Returns whether the other eye sees the point that this eye sees at pixel (x, y). `shift` is the
+// direction from a pixel of this eye to the other eye's: 1 from left to right, -1 from right to
+// left.
 OtherEyeVisibility seen_by_other(const Image<float>& other, int x, int y, double disparity,
                                  int shift) {
   if (!std::isfinite(disparity)) return OtherEyeVisibility::kNothingDrawn;
   const double place = std::floor(x + 0.5 + shift * disparity);
   if (place < 0 || place >= other.width) return OtherEyeVisibility::kOutsidePicture;
   const int at = int(place);
-  const double found = double(other.at(at, y));  // a NaN is never nearer
+  const double found = double(other.at(at, y));  // NaN (nothing drawn) is never nearer
   if (found < disparity - kSame) return OtherEyeVisibility::kHidden;
   for (int i = std::max(at - 1, 0); i <= std::min(at + 1, other.width - 1); ++i) {
     if (std::abs(double(other.at(i, y)) - disparity) <= kSame) return OtherEyeVisibility::kVisible;

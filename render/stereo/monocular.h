@@ -16,7 +16,7 @@ enum class OtherEyeVisibility : std::uint8_t {
   kMissing,         // the other picture shows something farther there, or nothing
 };
 
-// For the left eye's pixels and for the right eye's.
+// One map for the left eye's pixels and one for the right eye's.
 struct MonocularMaps {
   Image<OtherEyeVisibility> left, right;
 };
@@ -25,12 +25,12 @@ struct MonocularMaps {
 //
 // The disparity of a pixel (disparity.h) gives the place of its point in the other picture. It is
 // compared with the other picture's own disparity at the pixel nearest to that place. Differences
-// up to half a pixel count as equal: the pixel's centre is up to half a pixel away, and disparity
-// changes by less than one pixel per pixel on a surface that the other eye sees at least half as
-// wide. So a step in depth that hides less than half a column is not found. For kMissing the two
-// neighbouring pixels are examined too, because at outlines the eyes' pixel centres fall
-// differently; what remains are surfaces that face away from the other eye, and things thinner than
-// a pixel.
+// up to half a pixel count as equal: the pixel's centre is up to half a pixel away from the place,
+// and disparity changes by less than one pixel per pixel on a surface that the other eye sees at
+// least half as wide. So a step in depth that hides less than half a column of pixels is not found.
+// A point is kMissing only if the two neighbouring pixels do not show it either, because at
+// outlines the pixel centres of the two eyes see different points. The points that remain are on
+// surfaces that face away from the other eye, and on things thinner than a pixel.
 //
 // Both maps have the same size.
 MonocularMaps monocular_maps(const Image<float>& left_disparity,

@@ -10,8 +10,8 @@ namespace glassbox {
 
 namespace {
 
-// Whether the fragments themselves have the shown colours. Pictures of a plane of the buffer are
-// coloured after the run, all channels at once.
+// Whether fragments write the colours that are shown. Otherwise (depth, triangle numbers, overdraw)
+// the picture is coloured after the run, all channels at once.
 bool painted_by_fragments(Show what) {
   return what == Show::kColor || what == Show::kNormal || what == Show::kUv;
 }
@@ -21,8 +21,9 @@ RenderSettings with_mask(RenderSettings settings, const ColorMask& mask) {
   return settings;
 }
 
-// Removes the channels that both masks have. There the picture has the right eye's values; what the
-// left eye wrote would be blended under them.
+// Removes from `mask` the channels that `others` also has. If both eyes may write a channel, the
+// picture has the right eye's values. The left eye must not write it, because the right eye's
+// blended surfaces would then be blended over the left eye's colours.
 ColorMask without(const ColorMask& mask, const ColorMask& others) {
   return {mask.r && !others.r, mask.g && !others.g, mask.b && !others.b, mask.a && !others.a};
 }
@@ -48,7 +49,8 @@ public:
         right_view_(eye_view(centre, pair, Side::kRight)),
         observers_(observers) {}
 
-  // Zero separation: the eyes are at the same place, and one pass serves both.
+  // Draws one picture for both eyes. It is used if the separation is zero, so that the eyes are at
+  // the same place.
   void draw_once(const RenderSettings& settings, StereoRendering& into) {
     into.passes = 1;
     into.right = {};
@@ -59,8 +61,9 @@ public:
     engine_.draw({scene_, prepared_, {&eye, 1}});
   }
 
-  // Draws both eyes' pictures; their settings differ at most in the masks. With one colour buffer
-  // both use the left eye's; then what is shown must be coloured by the fragments themselves.
+  // Draws both eyes' pictures; their settings differ at most in the masks. With `one_color_buffer`
+  // both eyes write to the left eye's colours; then the fragments themselves must write the colours
+  // that are shown (painted_by_fragments).
   void draw_eyes(const RenderSettings& left, const RenderSettings& right, bool one_color_buffer,
                  StereoRendering& into) {
     into.passes = 2;
@@ -74,7 +77,8 @@ public:
   }
 
 private:
-  // Culling that may lose triangles is done by the reference if the engine does not do it.
+  // Returns the engine, or the staged reference if the culling may lose triangles (kCentre) and the
+  // engine cannot do it.
   Engine& engine_for_culling() {
     if (culling_.how == StereoCulling::kUnion || engine_.culls_as_centre()) return engine_;
     return reference_;

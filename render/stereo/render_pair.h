@@ -2,8 +2,9 @@
 //
 // The draw list, the textures' mip chains, y, z and w of every vertex, and eye space are computed
 // once. From the clipper on, each eye is processed separately: in the reference, the whole left
-// picture before the right one; in the tile engine, chunk by chunk. Each eye's picture has the same
-// bytes as render_staged with eye_view(centre, pair, side).
+// picture before the right one; in the tile engine, some triangles for one eye and then the same
+// triangles for the other. Each eye's picture has the same bytes as render_staged with
+// eye_view(centre, pair, side).
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ struct StereoSettings {
 };
 
 // The observers of the two eyes, called in the same way as by render_staged. The run of the left
-// eye ends before that of the right eye begins. Null: none.
+// eye ends before that of the right eye begins. Null: no observer.
 struct StereoObservers {
   Observer* left = nullptr;
   Observer* right = nullptr;
@@ -30,23 +31,25 @@ struct StereoObservers {
 struct StereoRendering {
   // If the separation is zero, both eyes share one pass: left and right are then copies.
   Framebuffer left, right;
-  // Work done once for both eyes is counted and timed with the left one.
+  // Work that is done once for both eyes is counted and timed in the left eye's statistics.
   Statistics left_statistics, right_statistics;
   int passes = 2;
-  std::uint64_t culled = 0;  // triangles that were not drawn
-  std::uint64_t lost = 0;    // those among them in the frustum of an eye: 0 with kUnion
+  std::uint64_t culled = 0;  // triangles culled for both eyes at once
+  // How many of the culled ones are in the frustum of an eye; 0 with kUnion.
+  std::uint64_t lost = 0;
 };
 
-// The channels that each eye may write into the one picture. A channel that both may write is the
-// right eye's, and so is alpha. Alpha is 1 except for a translucent background, which is seen
-// through blended surfaces as that eye sees it.
+// The channels that each eye may write into the one picture. A channel that both may write has the
+// right eye's values, and so has alpha. Alpha is 1 except over a translucent background that the
+// right eye sees, perhaps through blended surfaces.
 struct AnaglyphMasks {
   ColorMask left{true, false, false, false};
   ColorMask right{false, true, true, true};
 };
 
-// Draws with any engine. `prepared` was made from the scene with the settings' transfer; the pair
-// must have been checked (check_pair). The memory of `into` is used again.
+// Draws with any engine. `prepared` must have been made from the scene with the transfer function
+// of the settings, and the pair must have been checked (check_pair). The memory of `into` is
+// reused.
 void render_pair(Engine& engine, const Scene& scene, const PreparedScene& prepared,
                  const View& centre, const StereoPair& pair, const StereoSettings& settings,
                  StereoRendering& into, const StereoObservers& observers = {});
@@ -60,7 +63,7 @@ void render_masked_anaglyph(Engine& engine, const Scene& scene, const PreparedSc
                             const StereoSettings& settings, const AnaglyphMasks& masks,
                             StereoRendering& into, const StereoObservers& observers = {});
 
-// Draws with the staged reference; everything is made for this picture alone.
+// These functions draw with the staged reference and prepare the scene for this picture alone.
 StereoRendering render_pair(const Scene& scene, const View& centre, const StereoPair& pair,
                             const StereoSettings& settings, const StereoObservers& observers = {});
 StereoRendering render_masked_anaglyph(const Scene& scene, const View& centre,

@@ -9,7 +9,7 @@
 namespace glassbox {
 namespace {
 
-// Returns for each instance the number after its last triangle.
+// Returns for each instance the number that follows its last triangle's.
 std::vector<std::uint64_t> ends_of_instances(const Scene& scene) {
   std::vector<std::uint64_t> of_mesh;
   for (const Mesh& mesh : scene.meshes) {
@@ -33,7 +33,8 @@ public:
         limit_px_(limit_px),
         marks_(eye.disparity.width, eye.disparity.height, 0) {}
 
-  // Finds the pieces that touch the edges, one after the other.
+  // Finds the connected regions of pixels in front of the window that touch the left or right edge
+  // of the picture.
   std::vector<WindowViolation> find() {
     std::vector<WindowViolation> found;
     const int last = marks_.width - 1;
@@ -49,7 +50,7 @@ public:
 
 private:
   bool stands_out(int x, int y) const {
-    return double(eye_.disparity.at(x, y)) < -limit_px_;  // false for NaN
+    return double(eye_.disparity.at(x, y)) < -limit_px_;  // false for NaN (nothing drawn)
   }
 
   void visit(int x, int y) {

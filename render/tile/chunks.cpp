@@ -19,8 +19,8 @@ PixelRect tiles_between(TilePlace first, TilePlace last) {
   return {int(first & 0xffff), int(first >> 16), int(last & 0xffff) + 1, int(last >> 16) + 1};
 }
 
-// Finds runs of entries that go to the same tiles. Neighbours in a mesh are often neighbours on the
-// screen, so most runs are longer than one.
+// Finds runs: consecutive entries (primitives) that touch the same tiles. Neighbours in a mesh are
+// often neighbours on the screen, so most runs are longer than one.
 void find_runs(const UnsortedEntries& from, std::vector<BinRun>& runs) {
   runs.clear();
   for (std::size_t end = 0; end < from.count;) {
@@ -31,7 +31,8 @@ void find_runs(const UnsortedEntries& from, std::vector<BinRun>& runs) {
   }
 }
 
-// Sorts entries into the chunk's bins by counting sort; within a bin they keep their order.
+// Sorts entries (primitives) into the chunk's bins, one for each tile, by counting sort; within a
+// bin they keep their order.
 void sort_into_bins(const UnsortedEntries& from, Chunk& chunk) {
   chunk.tiles = {};
   chunk.starts.assign(1, 0);
@@ -55,7 +56,8 @@ void sort_into_bins(const UnsortedEntries& from, Chunk& chunk) {
       }
     }
   };
-  // The counts are stored one bin later, so that after summing starts[i] is where bin i begins ...
+  // The number of entries of bin i is stored in starts[i + 2], so that after summing starts[i + 1]
+  // is where bin i begins.
   chunk.tiles = tiles;
   chunk.starts.assign(width * std::size_t(tiles.y1 - tiles.y0) + 2, 0);
   for (const BinRun& run : chunk.runs) {
@@ -64,7 +66,7 @@ void sort_into_bins(const UnsortedEntries& from, Chunk& chunk) {
   }
   for (std::size_t i = 2; i < chunk.starts.size(); ++i) chunk.starts[i] += chunk.starts[i - 1];
   chunk.entries.resize(chunk.starts.back());
-  // ... and filling bin i moves starts[i + 1] to its end.
+  // Filling bin i moves starts[i + 1] to the end of bin i, which is where bin i + 1 begins.
   for (const BinRun& run : chunk.runs) {
     for_each_bin(run, [&](std::size_t bin) {
       std::uint32_t& at = chunk.starts[bin + 1];
@@ -75,7 +77,8 @@ void sort_into_bins(const UnsortedEntries& from, Chunk& chunk) {
   }
 }
 
-// Adds an entry to the bins of the tiles that a box touches, if any of it is on the screen.
+// Adds an entry for a primitive with this box to the bins of the tiles that the box touches, if any
+// of it is on the screen.
 void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Chunk& chunk) {
   const PixelRect seen{std::max(box.x0, run.window.x0), std::max(box.y0, run.window.y0),
                        std::min(box.x1, run.window.x1), std::min(box.y1, run.window.y1)};
@@ -85,7 +88,7 @@ void add_entry(const TileRun& run, std::uint32_t entry, const PixelRect& box, Ch
                      tile(seen.x1 - 1) | tile(seen.y1 - 1) << 16);
 }
 
-// The pixels of which the triangle may cover something.
+// Returns the pixels that the triangle may cover, at least at one sample.
 PixelRect covered_bounds(const TileRun& run, const ReadyTriangle& triangle) {
   const PixelRect& bounds = triangle.setup.bounds;
   return samples_drawn(run.settings) > 1 ? sampled_bounds(bounds) : bounds;
@@ -110,11 +113,11 @@ PrimitiveStage primitive_stage(const TileRun& run, const DrawSlot& slot) {
           .object_cull = object_culling(draw, run.view, run.settings).test};
 }
 
-// ---- triangles over lanes ----
+// ---- triangles in SIMD lanes ----
 
-// Whether all pixels of the triangle have the same colour. An attribute that is equal at the
+// Whether all pixels of the triangle have the same colour: an attribute that is equal at the
 // vertices has exactly that value everywhere (interpolate.h), and the colour depends neither on
-// textures nor on the surface's place.
+// textures nor on the position on the surface.
 bool has_one_color(const DrawMethod& method, const std::array<Varyings, 3>& vertices) {
   const auto equal = [&](auto member) {
     return vertices[0].*member == vertices[1].*member && vertices[0].*member == vertices[2].*member;
@@ -131,7 +134,7 @@ bool has_one_color(const DrawMethod& method, const std::array<Varyings, 3>& vert
   return false;
 }
 
-// `shade`: the slot's index in the round.
+// `shade` is the index of the draw's slot in the round, and of the data for shading it.
 LargeTriangle large_triangle(const DrawMethod& method, std::uint32_t shade,
                              const ReadyTriangle& ready) {
   LargeTriangle large{ready.setup, ready.vertices, {},
@@ -144,9 +147,9 @@ LargeTriangle large_triangle(const DrawMethod& method, std::uint32_t shade,
   return large;
 }
 
-// Marks which of `count` triangles go on to be selected: all except those that are certainly turned
-// away. Triangles that are prepared one by one are tested there: all of a draw that needs it, and
-// those that may need clipping.
+// Returns for each of `count` triangles whether it is kept: 0 if it is certainly turned away,
+// otherwise 1. Triangles that will be set up one by one, because they may need clipping, are kept
+// here and tested then. Returns null if nothing is culled before clipping.
 const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot,
                                std::uint32_t first, std::uint32_t count, Chunk& chunk) {
   if (!stage.object_cull) return nullptr;
@@ -163,8 +166,8 @@ const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot
   return keep;
 }
 
-// Calls visit for the triangles of the clusters that are drawn, or for all if the draw has no
-// clusters.
+// Calls visit for the chunk's triangles in clusters that are drawn, or for all of them if the draw
+// has no clusters.
 template <class Visit>
 void for_each_drawn(const DrawSlot& slot, const Chunk& chunk, const Visit& visit) {
   const auto is_drawn = [&](std::size_t cluster) {
@@ -174,8 +177,8 @@ void for_each_drawn(const DrawSlot& slot, const Chunk& chunk, const Visit& visit
   for_each_run(chunk.first, chunk.count, kClusterTriangles, is_drawn, visit);
 }
 
-// Returns the entries for the bins: the small triangles, and in the places of large ones what the
-// stages made of them.
+// Returns the entries for the bins: the small triangles, and in place of each large triangle the
+// triangles that the stages of the reference make of it.
 const UnsortedEntries& fill_from_lanes(const TileRun& run, const Kernels& kernels,
                                        const DrawSlot& slot, Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];
@@ -191,8 +194,8 @@ const UnsortedEntries& fill_from_lanes(const TileRun& run, const Kernels& kernel
   job.margin = samples_drawn(run.settings) > 1 ? 1 : 0;
   job.tile_shift = std::countr_zero(unsigned(run.tile_side));
 
-  // The stage of the draw that a triangle belongs to: the first draw's, until a triangle of another
-  // one needs it.
+  // The stage for large triangles, which refers to one draw: to the first draw of the slot, until a
+  // large triangle of another draw comes.
   std::optional<PrimitiveStage> stage(primitive_stage(run, slot));
   SelectCounts counts;
   UnsortedEntries& found = chunk.selected;
@@ -238,7 +241,7 @@ const UnsortedEntries& fill_from_lanes(const TileRun& run, const Kernels& kernel
   return chunk.unsorted;
 }
 
-// ---- the staged primitives ----
+// ---- primitives that the stages of the reference prepare ----
 
 const UnsortedEntries& fill_staged(const TileRun& run, const DrawSlot& slot, Chunk& chunk) {
   const Draw& draw = run.list.draws[slot.draw];

@@ -15,8 +15,8 @@ std::size_t size_of(const Draw& draw) {
   return std::max(draw.mesh->positions.size(), triangles_of(draw));
 }
 
-// Whether a draw goes through the stages with the one before it in the order. All other decisions
-// of the plan are the same for both, because they have the same mesh.
+// Whether draw `next` can go through the stages together with the draws of `slot`. Decisions of the
+// plan that are not compared here are the same for all of them, because they have the same mesh.
 bool joins(const TileRun& run, const DrawSlot& slot, std::uint32_t next) {
   const Draw &draw = run.list.draws[slot.draw], &other = run.list.draws[next];
   const DrawMethod &method = run.methods[slot.draw], &method_of_other = run.methods[next];
@@ -41,7 +41,7 @@ void set_strides(const TileRun& run, DrawSlot& slot) {
 std::size_t make_slots(const TileRun& run, std::span<const std::uint32_t> order, std::size_t first,
                        std::size_t round_size, std::vector<DrawSlot>& slots) {
   slots.clear();
-  DrawSlot next;  // begins after the last slot
+  DrawSlot next;  // its entries begin where those of the last slot end
   std::size_t size = 0, end = first;
   for (; end < order.size(); ++end) {
     const Draw& draw = run.list.draws[order[end]];

@@ -11,8 +11,8 @@
 
 namespace glassbox {
 
-// With one sample per pixel, the sample is the centre. With several, the samples have the colours,
-// and the centres have the other planes.
+// With one sample per pixel, the sample is the centre. With several, `samples` has the colours, and
+// `centres` has depth, distance and triangle numbers.
 struct TileBuffers {
   TileBuffer* centres = nullptr;  // null: they are not needed
   std::span<TileBuffer> samples;
@@ -24,14 +24,15 @@ struct TileBuffers {
   }
 };
 
-// Returns cleared buffers from the thread's memory.
+// Returns cleared buffers for the tile `window`, from the thread's memory.
 TileBuffers begin_buffers(const TilePass& pass, const PixelRect& window, TileMemory& memory);
 
-// Marks what the buffer shows as being in the picture already. Its depths stay.
+// Marks everything that the buffer shows as already written to the picture. Its depths are kept.
 void mark_as_in_picture(TileBuffer& tile);
 
-// The same, and sets the depth of every pixel to the code code_of(x, y). (Outside the screen
-// nothing is shown, but whole quads are read.)
+// Does the same as mark_as_in_picture(), and sets the depth of every pixel to the code code_of(x,
+// y). (Pixels outside the screen are not shown, but they are marked, too, because whole quads are
+// read.)
 template <class CodeOf>
 void load_tile(TileBuffer& tile, const CodeOf& code_of) {
   for (std::size_t i = 0; i < tile.block_count(); ++i) {

@@ -21,7 +21,8 @@ namespace glassbox {
 
 namespace {
 
-// The number of entries for one task of the vertex stage, and of triangles for one chunk.
+// The number of vertices in one task of the vertex stage, and of triangles in one chunk (a task of
+// the stages up to the sorting into tiles).
 constexpr std::size_t kVertexBatch = 4096;
 constexpr std::uint32_t kChunkTriangles = 8192;
 
@@ -41,14 +42,13 @@ void add(const Statistics& part, Statistics& sum) {
   sum.blended += part.blended;
 }
 
-// A task of the vertex stage: some entries of one draw, or all entries of some draws that go
-// together.
+// A task of the vertex stage: some entries of one draw, or all entries of some draws of one slot.
 struct VertexTask {
   enum class Kind { kPositions, kNormals, kFaceNormals };
   Kind kind = Kind::kPositions;
   std::uint32_t slot = 0;
   std::size_t first_draw = 0, draws = 1;
-  std::size_t first = 0, count = 0;  // entries of each draw
+  std::size_t first = 0, count = 0;  // which entries of each draw
 };
 
 constexpr std::size_t kMostEyes = 2;
@@ -77,7 +77,7 @@ struct TileEngine::State {
       const Stopwatch watch(at_work.local().*stage);
       work(i);
     };
-    // If there are thousands of small pieces of work, a task takes several.
+    // If there are thousands of small items of work, a task takes several of them.
     const std::size_t together = 1 + count / 4096;
     const auto some = [&](const tbb::blocked_range<std::size_t>& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) timed(i);
@@ -86,10 +86,10 @@ struct TileEngine::State {
     arena.execute([&] { tbb::parallel_for(all, some, tbb::simple_partitioner()); });
   }
 
-  // ---- a round ----
+  // ---- a round: some of the draws ----
 
-  // Makes slots for the draws from `first` on, as many as a round takes; returns the index after
-  // the last draw.
+  // Makes slots for the draws from `first` on, as many as a round takes (the draws that go through
+  // the stages together); returns the index after the last draw.
   std::size_t begin_round(const Pictures& pictures, std::size_t first);
   void cull_clusters(const Pictures& pictures);
   void transform_vertices(const Pictures& pictures);
@@ -99,12 +99,11 @@ struct TileEngine::State {
   TileOptions options;
   const Kernels& kernels;
   int threads;
-  // Allows more threads than the machine has, if the options ask for that. (Of several limits,
-  // oneTBB takes the smallest.)
+  // The threads of this engine, which may be more than the machine has (allow_threads).
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<TileMemory> memories;
   PlannedPicture planned;
-  std::array<DrawRound, kMostEyes> rounds;  // by eye; what both share is in the first one
+  std::array<DrawRound, kMostEyes> rounds;  // by eye; data that both eyes share is in the first
   std::vector<VertexTask> vertex_tasks;
   TileReport* report = nullptr;  // of the picture being drawn; null if none is wanted
   tbb::enumerable_thread_specific<TileReport::Thread> at_work;
@@ -149,7 +148,7 @@ void TileEngine::State::cull_clusters(const Pictures& pictures) {
 
 namespace {
 
-// How many entries of a table are transformed.
+// Returns how many entries of a table are transformed: all, or those of the needed blocks.
 std::size_t count_needed(std::span<const std::uint8_t> needed, std::size_t table_size) {
   if (needed.empty()) return table_size;
   const auto blocks = std::size_t(std::ranges::count(needed, std::uint8_t(1)));
@@ -221,7 +220,8 @@ void TileEngine::State::transform_vertices(const Pictures& pictures) {
 
 namespace {
 
-// Makes the chunks that are to be filled.
+// Makes the chunks of a round, not yet filled: each is some triangles of one slot, or its lines and
+// points.
 void begin_chunks(const TileRun& run, DrawRound& round) {
   round.chunk_count = 0;
   const auto add_chunk = [&](Chunk::Kind kind, std::uint32_t slot, std::uint32_t first,
@@ -257,8 +257,8 @@ void list_large_triangles(DrawRound& round) {
   }
 }
 
-// Lists the chunks of each tile, because in a scene of many draws a tile has something of few of
-// them.
+// Lists for each tile the chunks (each has some triangles of one draw) that have something in it:
+// in a scene of many draws these are only a few.
 void list_chunks_of_tiles(const TileRun& run, DrawRound& round) {
   for (std::vector<std::uint32_t>& chunks : round.chunks_of_tile) chunks.clear();
   round.chunks_of_tile.resize(run.tile_count());
@@ -274,8 +274,8 @@ void list_chunks_of_tiles(const TileRun& run, DrawRound& round) {
 
 }  // namespace
 
-// The eyes of a pair have the same chunks and alternate: then the data that they read is in the
-// cache for the second one.
+// Fills the chunks (tasks of some triangles) of a pair's two eyes in turn: the data that the first
+// eye's chunk has read is then in the cache for the same chunk of the second eye.
 void TileEngine::State::fill_chunks(const Pictures& pictures) {
   const std::size_t eyes = pictures.size();
   for (std::size_t eye = 0; eye < eyes; ++eye) begin_chunks(pictures[eye].run(), rounds[eye]);
@@ -294,9 +294,9 @@ void TileEngine::State::fill_chunks(const Pictures& pictures) {
 
 namespace {
 
-// Whether a tile's colours can be kept from the first eye to the second: the second eye draws over
-// the first one's colours, and they are read and written only at the end, when the tile is
-// resolved.
+// Whether a tile's colours can stay in memory until the second eye has been drawn: the second eye
+// draws over the first eye's colours, and colours are read and written only at the end, when the
+// tile is resolved.
 bool share_colors(std::span<const TilePass> passes) {
   return passes.size() > 1 && passes.front().resolve.drawn_over &&
          !passes.front().resolve.keep_picture && passes.back().resolve.picture != nullptr &&
@@ -305,7 +305,7 @@ bool share_colors(std::span<const TilePass> passes) {
 
 }  // namespace
 
-// Draws a tile of the one eye, then the same tile of the other, which may draw into the same
+// Draws a tile of the first eye, then the same tile of the second eye, which may draw into the same
 // picture.
 void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const TilePass> passes) {
   const TileRun& run = pictures.front().run();
@@ -332,7 +332,7 @@ void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const Til
 
 namespace {
 
-// Adds a round's numbers to the report.
+// Adds the counts of a round (some of the draws) to the report.
 void count_round(const DrawRound& round, TileReport& report) {
   for (std::size_t i = 0; i < round.chunk_count; ++i) {
     report.triangles += round.chunks[i].count;

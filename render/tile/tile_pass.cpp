@@ -10,8 +10,8 @@ namespace glassbox {
 
 namespace {
 
-// Draws primitives by the staged fragments into the framebuffer; their colours go to the samples,
-// if there are any.
+// Draws primitives by the stages of the reference into the framebuffer; their colours go to the
+// samples, if there are any.
 void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
                             std::span<const std::uint32_t> bin, const PixelRect& window,
                             SamplePlanes* samples, Statistics& statistics) {
@@ -42,12 +42,12 @@ void draw_staged_primitives(const TilePass& pass, const Chunk& chunk,
   }
 }
 
-// A tile being drawn, either by the vectorised code in the tile's own buffers or by the staged
-// fragments in the framebuffer. When primitives of one kind follow those of the other, the tile's
-// contents are moved.
+// A tile being drawn, either by the vectorised code into the tile's own buffers or by the stages of
+// the reference into the framebuffer. When drawing changes from one of these two to the other, the
+// tile's contents are copied.
 class TileDrawing {
 public:
-  // `overwrite`: replace the planes' pixels instead of adding to what they hold.
+  // `overwrite`: at the end all pixels of the tile are written, also those where nothing is seen.
   TileDrawing(const TilePass& pass, const PixelRect& window, bool overwrite, TileMemory& memory,
               std::uint32_t* both_eyes, Statistics& statistics)
       : pass_(pass),
@@ -111,7 +111,8 @@ private:
     }
   }
 
-  // A blended draw needs the colours of what was seen before in the picture. Depths stay.
+  // Before a blended draw, the colours of what is seen so far are written to the picture, because
+  // the draw is blended with them. Depths stay in the buffers.
   void begin_lanes(const Chunk& chunk) {
     if (alpha_mode(pass_.round.slots[chunk.slot]) != AlphaMode::kBlend) {
       colors_left_ = false;
@@ -172,8 +173,8 @@ private:
     return pass_.resolve.draws[std::size_t(&slot - pass_.round.slots.data())];
   }
 
-  // The samples of a pixel, which give the one place where its fragment is shaded. Empty for the
-  // buffer of pixel centres: there the fragment is shaded at the centre.
+  // Returns the samples of a pixel; where a fragment is shaded depends on which of them it covers.
+  // Empty for the buffer of pixel centres, where the fragment is shaded at the centre.
   std::span<const SampleOffset> points_of(const TileBuffer& tile) const {
     if (&tile == buffers_.centres) return {};
     return sample_offsets(pass_.run.settings.samples);
@@ -212,14 +213,14 @@ private:
     draw_staged_primitives(pass_, chunk, bin, window_, planes_, statistics_);
   }
 
-  // From now on the samples have memory of their own.
+  // Gives the tile's samples memory for their colours and depths (planes_), if they have none yet.
   void use_planes() {
     if (planes_ != nullptr) return;
     planes_ = &own_planes_;
     planes_->clear(window_, pass_.run.settings.samples, pass_.color);
   }
 
-  // Copies from the buffers to the framebuffer.
+  // Copies the tile from its buffers to the framebuffer.
   void leave_buffers(bool with_depth) {
     if (buffers_.centres != nullptr) {
       ResolveJob resolve = centre_planes_;
@@ -236,7 +237,7 @@ private:
     pass_.kernels.resolve_tile(resolve, buffers_.samples);
   }
 
-  // Copies from the framebuffer to the buffers.
+  // Copies the tile from the framebuffer to its buffers.
   void load() {
     if (buffers_.centres != nullptr) {
       load_tile(*buffers_.centres, [&](int x, int y) { return pass_.target.depth.at(x, y); });
@@ -249,24 +250,26 @@ private:
   const TilePass& pass_;
   PixelRect window_;
   TileBuffers buffers_;
-  // The memory of samples that staged draws need: that of the whole picture, if it is drawn in
-  // several rounds; the tile's own, once such a draw comes; otherwise null.
+  // The samples' colours and depths, which staged and blended draws need. planes_ refers to those
+  // of the whole picture, if it is drawn in several rounds (parts of its draws); to own_planes_,
+  // once such a draw comes; otherwise it is null.
   SamplePlanes& own_planes_;
   SamplePlanes* planes_ = nullptr;
-  // The parts of the pass's job for the centres and for the samples.
+  // The pass's job of writing the tile, for the values of pixel centres and for the colours of
+  // samples.
   ResolveJob centre_planes_, sample_colors_;
   Statistics& statistics_;
   FragmentCounts counts_;
   bool in_framebuffer_ = false;
-  bool colors_left_ = false;  // all that is seen is in the picture or in the planes
+  bool colors_left_ = false;  // the colours of all that is seen so far are already written
 };
 
 }  // namespace
 
 namespace {
 
-// Whether a chunk needs the framebuffer: staged fragments write there, and blended ones need what
-// is there.
+// Whether a chunk (some primitives of a draw) needs the framebuffer: the stages of the reference
+// write there, and blended draws need the colours that are there.
 bool draws_into_framebuffer(const TilePass& pass, std::span<const std::uint32_t> chunks) {
   return std::ranges::any_of(chunks, [&](std::uint32_t i) {
     const Chunk& chunk = pass.round.chunks[i];

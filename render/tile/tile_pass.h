@@ -1,5 +1,5 @@
-// Draws one tile: the primitives that the round's chunks have for it, in order, into the
-// framebuffer.
+// Draws one tile into the framebuffer: the primitives that were sorted into it in this round (a
+// part of the picture's draws, see DrawRound), in the order of drawing.
 #pragma once
 
 #include <vector>
@@ -11,18 +11,21 @@
 
 namespace glassbox {
 
-// The data that all tiles of a round share.
+// The data that all tiles share while a round (a part of the draws) is drawn.
 struct TilePass {
   const TileRun& run;
   const Kernels& kernels;
   const DrawRound& round;
-  // With keep_picture: planes are cleared already, and may hold earlier rounds.
+  // If resolve.keep_picture is set, the images have been cleared already and may contain earlier
+  // rounds.
   ResolveJob resolve;
   Framebuffer& target;
-  Image<Rgba8>& color;  // target.color, or the picture that this one is drawn over
-  // Even so, a tile in which nothing is drawn into the planes may overwrite what they hold.
+  Image<Rgba8>& color;  // target.color, or a picture over which this one is drawn
+  // Even if resolve.keep_picture is set, a tile may overwrite all its pixels if none of its draws
+  // needs the framebuffer.
   bool overwrite_untouched = false;
-  // Depths are stored in target.depth between rounds, and while staged primitives are drawn.
+  // Whether a tile's depths are read from target.depth before drawing and stored there afterwards:
+  // if the draws are drawn in several rounds, or depth is wanted.
   bool load_depth = false, store_depth = false;
   const Image<std::uint32_t>* behind_depth = nullptr;  // see EyePicture::behind_depth
 };
@@ -32,8 +35,8 @@ struct TileMemory {
   explicit TileMemory(int side) : centres(side) {}
   TileBuffer centres;
   std::vector<TileBuffer> samples;           // a buffer for each sample, if a pixel has several
-  SamplePlanes planes;                       // used if there are also staged draws
-  CacheAlignedVector<std::uint32_t> colors;  // of a pair's first eye
+  SamplePlanes planes;                       // used if the tile has staged or blended draws
+  CacheAlignedVector<std::uint32_t> colors;  // a tile's colours of a pair's first eye
 };
 
 // Draws tile (x, y). `statistics` counts fragments. `both_eyes`: memory for the tile's colours

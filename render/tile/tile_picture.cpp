@@ -15,7 +15,7 @@ TileRun make_run(const EyePicture& eye, const DrawList& list, const Plan& plan, 
   return run;
 }
 
-// Makes the data for shading the small and the large triangles of a draw.
+// Makes the data for shading the triangles of a slot's draws.
 ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
   const Draw& draw = run.list.draws[slot.draw];
   const DrawMethod& method = run.methods[slot.draw];
@@ -69,8 +69,8 @@ ShadeDraw shade_draw(const TileRun& run, const DrawSlot& slot) {
   return shade;
 }
 
-// Prepares a plane of the picture's size, or an empty one. It is cleared only if `clear` is set;
-// otherwise all of it is overwritten later.
+// Prepares an image of the framebuffer: of the picture's size, or empty if it is not wanted. It is
+// cleared only if `clear` is set; otherwise all of it is overwritten later.
 template <class Pixel>
 void prepare_plane(const PixelRect& window, bool wanted, bool clear, Pixel empty,
                    Image<Pixel>& plane) {
@@ -103,7 +103,7 @@ void TilePicture::count_input() const {
   }
 }
 
-// Whether some draws write to the framebuffer themselves: staged ones, and blended ones.
+// Whether some draws need the framebuffer while they are drawn (DrawMethod::into_framebuffer).
 bool TilePicture::draws_into_framebuffer() const {
   return std::ranges::any_of(plan_.order,
                              [&](std::uint32_t i) { return run_.methods[i].into_framebuffer; });
@@ -113,7 +113,7 @@ void TilePicture::prepare_framebuffer(bool one_round) {
   const RenderSettings& s = eye_.settings;
   Framebuffer& target = eye_.target;
   const int samples = samples_drawn(s);
-  // Depths and colours are read back from the framebuffer.
+  // Whether depths and colours are read back from the framebuffer.
   const bool through_framebuffer = !one_round || draws_into_framebuffer();
   const bool keep_always = !one_round || !plan_.colors || plan_.read_back || eye_.draws_over();
   keep_picture_ = through_framebuffer || keep_always;
@@ -123,14 +123,15 @@ void TilePicture::prepare_framebuffer(bool one_round) {
     prepare_plane(run_.window, wanted, keep_picture_, empty, plane);
   };
   prepare(!eye_.draws_over(), s.background, target.color);
-  // Each tile overwrites its depths, unless it has to read them first.
+  // Depths are cleared only if tiles read them from the framebuffer; otherwise each tile overwrites
+  // its depths.
   prepare_plane(run_.window, through_framebuffer || plan_.keep_depth, through_framebuffer,
                 kEmptyDepth, target.depth);
   prepare(s.want_distance || s.show == Show::kDepth, std::numeric_limits<float>::infinity(),
           target.distance);
   prepare(s.want_id || s.show == Show::kId, std::uint32_t{0}, target.id);
   prepare(s.show == Show::kOverdraw, std::uint32_t{0}, target.writes);
-  std::ranges::fill(target.writes.pixels, 0u);  // only staged fragments increase these
+  std::ranges::fill(target.writes.pixels, 0u);  // increased by the stages of the reference alone
   if (samples > 1 && !one_round) target.samples.clear(run_.window, samples, eye_.color);
 }
 

@@ -1,5 +1,5 @@
-// A picture of the tile engine, from the draw list to the planes of the framebuffer: the data that
-// its rounds share.
+// A picture of the tile engine, from the draw list to the framebuffer: the data that the picture's
+// rounds (parts of its draws) share.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace glassbox {
 
-// One eye's part in a run.
+// One eye's picture while the tile engine draws it.
 class TilePicture {
 public:
   // The list and the plan must outlive it.
@@ -24,11 +24,11 @@ public:
 
   void count_input() const;
 
-  // Called before the first round. `one_round`: it is also the last one.
+  // Called before the first round (a part of the draws). `one_round`: it is also the last one.
   void prepare_framebuffer(bool one_round);
 
-  // Returns what the tiles of a round need to be drawn. The pass refers to the picture and the
-  // round.
+  // Returns what the tiles need to draw a round (a part of the draws). The pass refers to the
+  // picture and the round.
   TilePass pass(const Kernels& kernels, const DrawRound& round, bool first_round);
 
   // Called after the last round.
@@ -42,10 +42,10 @@ private:
   const Plan& plan_;
   const TileRun run_;
   bool keep_picture_ = false;         // pixels where nothing is seen already have their values
-  bool overwrite_untouched_ = false;  // except in tiles that read nothing back
+  bool overwrite_untouched_ = false;  // keep_picture_ is not needed in tiles that read nothing back
   bool store_depth_ = false;
-  // The data of the current round, for its pass.
-  std::vector<ShadeDraw> shades_;  // by slot
+  // The data of the round that is being drawn, for its pass.
+  std::vector<ShadeDraw> shades_;  // one for each slot
   std::vector<std::uint32_t> by_reference_;
 };
 

@@ -14,14 +14,14 @@ struct TileReport {
   std::vector<Thread> threads;  // the threads that took part
 
   std::uint64_t rounds = 0, tiles = 0;
-  std::uint64_t triangles = 0;  // of the draws that were drawn
+  std::uint64_t triangles = 0;  // triangles of the draws that were drawn
   // Draws that were drawn, and runs of draws of one mesh that went through the stages together.
   std::uint64_t draws = 0, runs = 0;
   std::uint64_t list_entries = 0;     // primitives in the tiles' lists, counted once for each tile
   std::uint64_t large_triangles = 0;  // set up one by one
-  std::uint64_t plane_bytes = 0;      // size of the framebuffer's planes
-  // The scene's textures; and those whose mip chains exist, because a pixel of this picture or an
-  // earlier one has sampled them.
+  std::uint64_t plane_bytes = 0;      // size of the framebuffer's images
+  // The number of the scene's textures; and of those whose mip chains exist, because a pixel of
+  // this picture or an earlier one has sampled them.
   std::uint64_t textures = 0, textures_made = 0;
 };
 

@@ -6,8 +6,8 @@ namespace glassbox {
 
 namespace {
 
-// How far from the centre, in half screens, a vertex may be so that it is certainly within the
-// guard band in spite of rounding: half of the guard band.
+// Returns how far from the centre, in half screens, a vertex may be so that it is certainly within
+// the guard band in spite of rounding: half of the guard band.
 float guard_band_half_screens(float screen_side) {
   return float(kGuardBandPx / double(screen_side));
 }
@@ -19,7 +19,8 @@ VertexJob vertex_job(const TileRun& run, std::uint32_t index) {
   job.clip_from_anchored = draw.clip_from_anchored;
   job.viewport = run.view.viewport;
   const ClipPlane &near = run.planes[kNearPlane], &far = run.planes[kFarPlane];
-  // With a reversed range the near plane is z = w and the far plane z = 0.
+  // The factor of w in the plane z = w: this is the far plane, or with a reversed range the near
+  // plane.
   job.far_factor = float(std::max(far.d, near.d));
   job.smallest_w = float(-run.planes[kEyePlane].e);
   job.band_x = guard_band_half_screens(run.view.viewport.width());
@@ -48,7 +49,8 @@ void transform_neighbours(const TileRun& run, const Kernels& kernels, const Draw
   }
 }
 
-// `needed`: one entry for each block of the table; empty: all blocks are needed.
+// Calls visit for the runs of entries that are needed. `needed` has one entry for each block of the
+// table; empty: all blocks are needed.
 template <class Visit>
 void for_each_needed(std::span<const std::uint8_t> needed, std::size_t first, std::size_t count,
                      const Visit& visit) {

@@ -9,7 +9,7 @@
 namespace glassbox {
 namespace {
 
-// ---- what each table has: a call for each number of a record ----
+// ---- the columns of each table: one call for each number of a record ----
 
 void fill_run(Table& table, const View& view) {
   const Viewport& v = view.viewport;

@@ -1,7 +1,7 @@
 // The numbers of a run's records as arrays: one array for each number, one row for each record, for
-// programs that work with arrays (docs/trace.md lists them). The vertices that clipping left
-// of a triangle, and its pieces, vary in number, so they are in tables of their own; the triangle's
-// row has the index of its first row there, and the number of rows.
+// programs that work with arrays (docs/trace.md lists them). The vertices that clipping left of a
+// triangle, and the triangles of its fan (pieces), vary in number, so they are in tables of their
+// own; the triangle's row has the index of its first row there, and the number of rows.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct TraceCounts {
                 fragments = 0;
 };
 
-// Counts records, and keeps only those of draws.
+// Counts the records of a run, and keeps only the records of draws.
 class TraceCounter : public TraceSink {
 public:
   const TraceCounts& counts() const { return counts_; }
@@ -49,9 +49,9 @@ public:
 
   // Returns the names in `wanted` that do not exist.
   std::vector<std::string> unknown() const { return unknown_; }
-  // Returns the number of bytes that all wanted arrays have for a run with these counts.
+  // Returns the number of bytes that all wanted arrays take for a run with these counts.
   std::uint64_t bytes_for(const TraceCounts& counts) const;
-  // Reserves that much memory at once, so that no more is needed later.
+  // Reserves the memory for a run with these counts at once, so that no more is needed later.
   void reserve(const TraceCounts& counts);
   const RoundTrips& round_trips() const { return round_trips_; }
 

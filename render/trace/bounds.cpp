@@ -21,8 +21,8 @@ bool is_power_of_two(double x) {
   return std::abs(std::frexp(x, &exponent)) == 0.5;
 }
 
-// Bound 1 for a matrix in double with last row 0 0 0 1. A row with a single product, by a power of
-// two, has no rounding error.
+// Returns bound 1 of SPEC C (docs/references.md) for a matrix in double with last row 0 0 0 1. A
+// row that has only one product, by a power of two, has no rounding error.
 glm::dvec3 affine_bound(const glm::dmat4& m, const glm::dvec3& point,
                         const glm::dvec3& point_bound) {
   const glm::dvec4 x(point, 1);
@@ -45,7 +45,7 @@ glm::vec4 anchored(const Point<Object>& object, const TracedDraw& draw) {
   return {object.x - draw.anchor.x, object.y - draw.anchor.y, object.z - draw.anchor.z, 1.0f};
 }
 
-// The rounding error of subtracting the anchor: zero, if the anchor is well chosen.
+// Returns the rounding error of subtracting the anchor: zero for an anchor from anchor_for().
 glm::dvec4 anchoring_bound(const Point<Object>& object, const TracedDraw& draw) {
   const glm::vec4 rounded = anchored(object, draw);
   return {std::abs(double(object.x) - double(draw.anchor.x) - double(rounded.x)),
@@ -93,7 +93,8 @@ std::vector<ClipVertexBound> after_step(const ClipPlane& plane, const ClipPolygo
   return after;
 }
 
-// The clipped polygon has the vertices of the last step, in order, without repetitions.
+// Returns the bounds of the clipped polygon's vertices: they are the vertices of the last clipping
+// step, in order, without repetitions.
 std::vector<ClipVertexBound> without_repetitions(const std::vector<TracedVertex>& polygon,
                                                  const ClipPolygon& last,
                                                  const std::vector<ClipVertexBound>& bounds) {
@@ -120,7 +121,7 @@ std::vector<ClipVertexBound> polygon_in_clip(const Trace& trace, const TracedTri
   return without_repetitions(triangle.polygon, polygon, bounds);
 }
 
-// ---- on the screen ----
+// ---- bounds on the screen ----
 
 double largest_displacement(const TracedPiece& piece, const std::vector<VertexBounds>& polygon) {
   constexpr double kSnap = 0.5 / kSubpixels;
@@ -171,7 +172,7 @@ double snapped_bound(const TracedVertex& vertex, const VertexBounds& bounds) {
 }
 
 DrawBounds bounds_of(const TracedDraw& draw, const View& view) {
-  // The products of make_draw (draw_list.cpp), in the same order.
+  // The same products as in place_draw (draw_list.cpp), in the same order.
   const Transform<Eye, Object> eye_from_object = view.eye_from_world * draw.world_from_object;
   const Vector<Object, double> anchor{draw.anchor.x, draw.anchor.y, draw.anchor.z};
   const glm::dmat4 from_anchored = translate<Object, Object>(anchor).columns;
@@ -235,7 +236,7 @@ SetupBounds setup_bounds(const TracedPiece& piece, const TriangleBounds& bounds)
   return setup;
 }
 
-// ---- of a whole run ----
+// ---- bounds of a whole run ----
 
 BoundsOfRun::BoundsOfRun(const View& view) {
   trace_.view = view;
@@ -253,7 +254,7 @@ const BoundsOfRun::KnownTriangle& BoundsOfRun::triangle(const TracedTriangle& tr
     latest_.clear();
     earlier_.clear();
   }
-  // If no fragments come for a long time, this limits the memory.
+  // If many triangles come without fragments, this limits the memory.
   if (latest_.size() == kTriangleBatch) earlier_ = std::exchange(latest_, {});
   const auto& [draw, draw_bounds] = of_instance(triangle.instance);
   Kept& kept = latest_[triangle.number];

@@ -16,15 +16,16 @@ using bounded::BoundedOf;
 using bounded::with_bound_from;
 using Bounded3 = std::array<Bounded, 3>;
 
-// ---- at fragments ----
+// ---- fragments ----
 
-// Weights 1 and 2 with their bounds. Bound 5 assumes for every weight the worst of the three 1/w;
-// but a corner next to the eye has a large error in 1/w and hardly any weight elsewhere. Let w_k be
-// the exact weights for the computed 1/w, whose exact values are (1 + e_k) times these, |e_k| <=
-// r_k:
+// Returns weights 1 and 2 with their bounds. Bound 5 of SPEC C uses for every weight the largest
+// relative error of the three 1/w. That is too much if one corner is next to the eye: its 1/w has a
+// large error, but the corner has hardly any weight in most of the triangle. So let w_k be the
+// exact weights for the computed 1/w. The exact 1/w are (1 + e_k) times the computed ones, with
+// |e_k| <= r_k. Then
 //   |w_k (1 + e_k)/(1 + sum w_j e_j) - w_k| <= w_k (r_k + s)/(1 - s),   s = sum w_j r_j
-// The run's weights have an error of 10 u of their own (formulas/interpolate.h), 4 u where
-// perspective changes nothing.
+// In addition, the run's weights have a rounding error of 10 u (formulas/interpolate.h), or 4 u
+// where perspective changes nothing (u is the unit roundoff, 2^-24).
 std::array<Bounded, 2> weights_of(const TriangleSetup& setup, const SetupBounds& vertices,
                                   const Fragment& place, const FragmentBounds& bounds) {
   constexpr double kOwn = 10 * 0x1p-24 * (1 + 0x1p-18);
@@ -61,7 +62,8 @@ void set_run_values(const Varyings& run, BoundedVaryings& same) {
 
 }  // namespace
 
-// A fragment whose numbers carry bounds, with the members that formulas/surface.h needs.
+// A fragment whose numbers have error bounds (base/bounded.h), with the members that
+// formulas/surface.h needs.
 struct PieceColors::BoundedFragment : bounded::UnobservedFragment {
   using Float = Bounded;
   static constexpr std::size_t kChannels = 3;
@@ -84,7 +86,7 @@ struct PieceColors::BoundedFragment : bounded::UnobservedFragment {
   }
 
   const Material& material() const { return *piece.draw_.material; }
-  static constexpr bool has_vertex_color() { return true; }  // white if the mesh has none
+  static constexpr bool has_vertex_color() { return true; }  // it is white if the mesh has none
   bounded::SurfaceColorOf<Bounded> vertex_color() const {
     return {{at.color[0], at.color[1], at.color[2]}, at.color[3]};
   }
@@ -165,7 +167,7 @@ void PieceColors::make_planes() {
   planes_ = texture_planes(setup_, values);
   bounded_planes_ = bounded::planes_over_w(slopes, texcoords, false);
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    // If the three computed w are equal, the run uses 0; the exact ones may differ.
+    // If the three computed w are equal, the run uses the slope 0 for 1/w; the exact w may differ.
     bounded_planes_.inverse_w[axis] =
         with_bound_from(planes_.inverse_w[axis], bounded_planes_.inverse_w[axis]);
   }

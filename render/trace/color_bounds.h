@@ -1,8 +1,8 @@
-// Running error bounds of the colours of fragments: attributes, texture samples, light (bound 5
-// of SPEC C in docs/references.md, and beyond). They are computed by the stages' own formulas, with
-// numbers that carry a bound on their own error (base/bounded.h).
+// Running error bounds of the colours of fragments: attributes, texture samples, light (bound 5 of
+// SPEC C in docs/references.md, continued to the colour). They are computed by the stages' own
+// formulas, with numbers that contain a bound of their own error (base/bounded.h).
 //
-// In addition to the inputs of bounds.h, these count as exact: normals, colours and texture
+// In addition to the inputs of bounds.h, these are taken as exact: normals, colours and texture
 // coordinates as modelled, materials, the bytes of images, and the lights in eye space as computed
 // by the run.
 #pragma once
@@ -23,11 +23,11 @@ struct ColorBounds {
   BoundedVaryings at;
   // The bound of a texture sample, in linear light; none where the surface has no texture.
   std::optional<double> sample;
-  std::array<bounded::Bounded, 4> surface;  // linear, with alpha
-  std::array<bounded::Bounded, 3> light;    // linear
+  std::array<bounded::Bounded, 4> surface;  // the surface's own colour, linear, with alpha
+  std::array<bounded::Bounded, 3> light;    // the colour after lighting, linear
 };
 
-// The colours of one piece of a triangle, or of a line or point.
+// The bounds of the colours of a triangle of a fan, or of a line or point.
 class PieceColors {
 public:
   // The arguments `draw`, `lighting`, `settings` and `known` must outlive the object.
@@ -35,13 +35,13 @@ public:
               const RenderSettings& settings, const BoundsOfRun::KnownTriangle& known,
               std::uint32_t piece);
 
-  // For a line or point: it is treated as a triangle whose vertex 0 has weight 0
+  // For a line or point, which is treated as a triangle whose vertex 0 has weight 0
   // (raster/interpolate.h), without slopes, at level 0 of its textures.
   PieceColors(const Draw& draw, const Lighting& lighting, const RenderSettings& settings,
               const TriangleSetup& setup, const SetupBounds& setup_bounds,
               const std::array<BoundedVaryings, 3>& vertices);
 
-  // Returns the bounds for a fragment of the piece that passed the depth test.
+  // Returns the bounds for a fragment of the triangle that passed the depth test.
   ColorBounds at(const TracedFragment& fragment, const FragmentBounds& bounds) const;
 
 private:
@@ -57,7 +57,7 @@ private:
   const RenderSettings& settings_;
   TriangleSetup setup_;
   SetupBounds setup_bounds_;
-  std::array<BoundedVaryings, 3> vertices_;  // in the order of the setup
+  std::array<BoundedVaryings, 3> vertices_;  // attributes of the vertices, in the order of setup_
   bool has_slopes_ = false;
   TexturePlanes planes_;
   TexturePlanesOf<bounded::Bounded> bounded_planes_;

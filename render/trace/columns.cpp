@@ -94,7 +94,8 @@ public:
   }
 
 private:
-  // An observer that takes part in the run may have cut a triangle that no plane cuts.
+  // Whether clipping left the triangle as it was. An observer that changes the run may have cut a
+  // triangle that no plane cuts.
   static bool is_left_whole(const std::array<ClipVertex, 3>& corners, const ClipPolygon& polygon) {
     return polygon.count == 3 && polygon.vertices[0].position == corners[0].position &&
            polygon.vertices[1].position == corners[1].position &&

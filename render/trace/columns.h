@@ -1,5 +1,5 @@
 // A compact record of a run: for every triangle its result, for every fragment its source and the
-// bytes that it wrote. Everything in between can be recomputed bit for bit from the scene's
+// bytes that it wrote. All numbers between them can be recomputed bit for bit from the scene's
 // positions and the matrices.
 #pragma once
 
@@ -14,24 +14,24 @@
 
 namespace glassbox {
 
-// The result of a triangle, as bits, because the pieces of a cut triangle may have different
-// results.
+// The result of a triangle, as bits, because the triangles of the fan that clipping leaves of it
+// may have different results.
 enum TriangleMark : std::uint8_t {
   kMarkRejected = 1,     // all corners outside one plane
   kMarkClippedAway = 2,  // nothing is left after clipping
   kMarkCut = 4,          // clipping changed it, and a polygon remains
-  kMarkZeroArea = 8,     // a piece has no area after snapping
-  kMarkCulled = 16,      // a piece faces the wrong way
-  kMarkSetUp = 32,       // a piece went on to be rasterised
+  kMarkZeroArea = 8,     // a triangle of its fan has no area after snapping
+  kMarkCulled = 16,      // a triangle of its fan faces the wrong way
+  kMarkSetUp = 32,       // a triangle of its fan went on to be rasterised
 };
 
-// The triangles that reached the clipper, in drawing order; the triangles of a draw are
+// The triangles that reached the clipper, in drawing order. The triangles of a draw are
 // consecutive.
 struct TriangleColumns {
   std::vector<std::uint32_t> number;                   // in the whole scene
   std::vector<std::uint32_t> face;                     // index into Mesh::faces
   std::array<std::vector<std::uint32_t>, 3> position;  // indices into Mesh::positions
-  std::vector<std::uint8_t> marks;                     // TriangleMark
+  std::vector<std::uint8_t> marks;                     // bits of TriangleMark
 };
 
 // The polygon that clipping left of a triangle that it cut.
@@ -42,9 +42,9 @@ struct CutTriangle {
 
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
-// The fragments in the order in which they came.
+// The fragments in the order in which they were drawn.
 struct FragmentColumns {
-  // The number of its triangle in the whole scene; kNoTriangle for lines and points.
+  // The number of the fragment's triangle in the whole scene; kNoTriangle for lines and points.
   std::vector<std::uint32_t> triangle;
   std::vector<std::uint8_t> piece;
   std::vector<std::uint16_t> x, y;
@@ -55,8 +55,8 @@ struct FragmentColumns {
 };
 
 struct ColumnFilter {
-  // Records only fragments of these pixels, and triangles with a piece whose box on the screen
-  // reaches into them.
+  // If set, only fragments of these pixels are recorded, and only triangles of which some part
+  // after clipping has a box on the screen that reaches into them.
   std::optional<PixelRect> pixels;
   std::uint64_t max_triangles = 1'000'000;
   std::uint64_t max_fragments = 4'000'000;
@@ -66,18 +66,18 @@ struct ColumnRun {
   Rendering rendering;  // the same bytes as those of a run without an observer
   std::array<ClipPlane, kMaxClipPlanes> planes{};
   std::vector<TracedDraw> draws;
-  // For each draw, how many of the triangles below are its own.
+  // For each draw, how many of the triangles in `triangles` are its own.
   std::vector<std::uint32_t> triangles_of_draw;
   TriangleColumns triangles;
   std::vector<CutTriangle> cut;
   FragmentColumns fragments;
-  // How many there were to record; more than the columns contain if the filter's limits were
-  // reached.
+  // How many triangles and fragments there were to record; more than the columns contain if the
+  // filter's limits were reached.
   std::uint64_t triangle_count = 0;
   std::uint64_t fragment_count = 0;
 };
 
-// `stages`: an observer that takes part in the run; null: none.
+// `stages`: an observer that takes part in the run and may change it; null: none.
 ColumnRun record_columns(const Scene& scene, const View& view, const RenderSettings& settings,
                          const ColumnFilter& filter, Observer* stages = nullptr);
 

@@ -47,9 +47,10 @@ double largest_entry(const glm::dmat3& m) {
 
 // Bounds the entries of Draw::eye_normal_from_object. eye_from_object is a product of matrices in
 // double, one of them a rotation: its entries are accurate to 12 * 2^-53 of the largest one. A
-// cofactor is a difference of two products of such entries, accurate to 51 * 2^-53 of the square of
-// the largest. The scale makes the largest cofactor at most 1, and the rest is one rounding to
-// float.
+// cofactor is a difference of two products of such entries, so it is accurate to 51 * 2^-53 of the
+// square of the largest entry: 12 for each of the four factors and 3 roundings. This is below
+// 2^-47. The matrix is then scaled so that its largest cofactor is at most 1, which divides the
+// error by that cofactor. The last error is one rounding to float.
 glm::dmat3 normal_matrix_bound(const Draw& draw) {
   const glm::dmat3 linear(draw.eye_from_object.columns);
   const double largest = largest_entry(linear);
@@ -82,8 +83,9 @@ Bounded3 eye_normal(const Draw& draw, const Bounded3& object) {
   return bounded::unit_normal(eye);
 }
 
-// Newell's vector is a sum of products of differences, in double. Its error is gamma_(N+3) of the
-// sum of the products' sizes.
+// The Newell vector of a face with N corners is a sum of products of differences, in double. Its
+// error is at most gamma(N + 3) times the sum of the absolute values of the products, where
+// gamma(n) = n u / (1 - n u) with the unit roundoff u = 2^-53.
 Bounded3 eye_normal_of_face(const Draw& draw, const Face& face) {
   const std::optional<Normal<Object>> normal = face_normal(*draw.mesh, face);
   if (!normal) return {};

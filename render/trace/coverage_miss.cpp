@@ -11,9 +11,9 @@ namespace glassbox {
 
 namespace {
 
-// Finds the edge whose line the centre is furthest outside of; the distance is negative if the
-// centre is inside all edges. As a function of x the distance is convex: the largest of three
-// linear functions.
+// Finds the edge that the pixel's centre is furthest outside of; the distance is negative if the
+// centre is inside all edges. As a function of x this distance is convex, because it is the largest
+// of three linear functions.
 CentreMiss furthest_outside(const TriangleSetup& triangle, int x, int y) {
   const std::int64_t centre_x = std::int64_t(x) * kSubpixels + kPixelCentre;
   const std::int64_t centre_y = std::int64_t(y) * kSubpixels + kPixelCentre;
@@ -26,7 +26,7 @@ CentreMiss furthest_outside(const TriangleSetup& triangle, int x, int y) {
     if (outside > miss.subpixels || unowned_tie) {
       miss.edge = k;
       miss.value = value;
-      miss.subpixels = outside + 0.0;  // never -0
+      miss.subpixels = outside + 0.0;  // + 0.0 turns -0 into 0
     }
   }
   return miss;
@@ -76,8 +76,9 @@ CentreMiss nearest_miss(const TriangleSetup& triangle, const PixelRect& pixels) 
   return nearest;
 }
 
-// Two convex figures have no area in common if and only if the line through a side of one of them
-// separates them.
+// Returns by how much the triangle is outside the picture. Two convex figures have no area in
+// common if and only if the line through a side of one of them separates them; so the sides of the
+// picture and the edges of the triangle are tested.
 std::optional<OutsideDistances> outside_distances(const TracedPiece& piece,
                                                   const PixelRect& picture) {
   const std::array<SnappedVertex, 3> v{snap(piece.vertices[0]), snap(piece.vertices[1]),

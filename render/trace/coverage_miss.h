@@ -15,15 +15,16 @@ namespace glassbox {
 
 bool contains(const PixelRect& pixels, int x, int y);
 
-// The pixels that the bounding box of these points reaches into, even if it does not cover their
-// centres. The points must be within the guard band.
+// Returns the pixels that the bounding box of these points reaches into, even if it does not cover
+// their centres. The points must be within the guard band.
 PixelRect pixels_touched(std::span<const ScreenVertex> vertices);
 
 struct CentreMiss {
   int x = 0, y = 0;  // the pixel
   // Index into TriangleSetup::edges: the edge that the pixel's centre is furthest outside of.
   std::size_t edge = 0;
-  // E at the centre, exact; 0 on an edge whose points belong to the neighbour.
+  // The edge function at the centre, exact; 0 on an edge whose points belong to the neighbouring
+  // triangle.
   std::int64_t value = 0;
   // How far outside that edge's line the centre is: -value / (the edge's length), in 1/256 px.
   // Moving the edge by this distance brings it to the centre. Accurate to 2 ulps.
@@ -33,22 +34,22 @@ struct CentreMiss {
 // Returns nothing if the triangle covers the centre of pixel (x, y).
 std::optional<CentreMiss> miss_at(const TriangleSetup& triangle, int x, int y);
 
-// Returns the smallest of the misses in `pixels`, which must not be empty; the triangle must cover
-// none of their centres. The time is proportional to the number of rows.
+// Returns the smallest miss among `pixels`, which must not be empty; the triangle must cover none
+// of their centres. The time is proportional to the number of rows.
 CentreMiss nearest_miss(const TriangleSetup& triangle, const PixelRect& pixels);
 
-// By how much a piece is outside the picture on each side, in 1/256 px, exact; 0 on the sides where
-// it is not.
+// By how much a triangle is outside the picture on each side, in 1/256 px, exact; 0 on the sides
+// where it is not outside.
 struct OutsideDistances {
   std::int64_t left = 0, top = 0, right = 0, bottom = 0;
-  // Set if the piece is outside near a corner of the picture: its box reaches into the picture, but
-  // the whole picture is on the outer side of one of its edges. It is the distance of that edge's
-  // line from the picture's nearest corner, in 1/256 px.
+  // Set if the triangle is outside near a corner of the picture: its box reaches into the picture,
+  // but the whole picture is on the outer side of one of its edges. The value is the distance of
+  // that edge's line from the picture's nearest corner, in 1/256 px.
   std::optional<double> beyond_edge;
 };
 
-// Returns nothing if the snapped piece and the rectangle of pixels have some area in common. Only
-// for pieces with a setup.
+// Returns nothing if the snapped triangle and the rectangle of pixels have some area in common.
+// `piece` must have a setup.
 std::optional<OutsideDistances> outside_distances(const TracedPiece& piece,
                                                   const PixelRect& picture);
 

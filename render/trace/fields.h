@@ -1,7 +1,7 @@
 // The numbers of a trace's records and their bounds, each with its name, as used by arrays
 // (arrays.h) and JSON (app/trace/json.h). `field` is called with every name and number, always in
-// the same order. A number is arithmetic, or an array, a vector or a matrix of such numbers; an
-// optional one may have no value.
+// the same order. A number has an arithmetic type, or is an array, a vector or a matrix of such
+// numbers; a std::optional number may be missing.
 #pragma once
 
 #include <array>

@@ -30,12 +30,13 @@ bool mirrored(const Trace& trace, std::uint32_t instance) {
 
 struct SeenPoint {
   Point<Clip, double> clip;
-  bool counter_clockwise = true;  // the triangle's corners, as seen on the screen there
+  bool counter_clockwise = true;  // winding of the corners as seen at the pixel
 };
 
 // Finds the point of the unclipped triangle that is seen through the pixel's centre, in front of
-// the eye: the combination of its corners with non-negative weights that is a multiple of (x, y, .,
-// 1) (Olano and Greer 1997). Nothing if the triangle does not cover that centre.
+// the eye: the combination of its corners, with non-negative weights, whose x, y and w are a
+// multiple of (x, y, 1) for the centre's x and y in NDC (Olano and Greer 1997). Returns nothing if
+// the triangle does not cover that centre.
 std::optional<SeenPoint> unclipped_point_at(const TracedTriangle& triangle, const Viewport& window,
                                             int x, int y) {
   const std::array<double, 3> centre{
@@ -95,8 +96,8 @@ bool was_cut(const TracedTriangle& triangle) {
   return triangle.pieces.empty() || !triangle.clipping.empty();
 }
 
-// Returns the effect of a triangle that has no fragment at the pixel: a piece that covers the pixel
-// was culled, or a clipping plane cut off the part that would cover it.
+// Returns the effect of a triangle that has no fragment at the pixel: a triangle of its fan that
+// covers the pixel was culled, or a clipping plane cut off the part that would cover it.
 std::optional<PixelEvent> event_without_fragment(const TracedTriangle& triangle, const Trace& trace,
                                                  int x, int y) {
   for (std::uint32_t i = 0; i < triangle.pieces.size(); ++i) {
@@ -118,8 +119,8 @@ bool reaches(const TracedPiece& piece, int x, int y) {
   return contains(pixels_touched(piece.vertices), x, y);
 }
 
-// Returns the smallest miss of the triangle's pieces; nothing if one of them covers the pixel, or
-// none comes near.
+// Returns the smallest distance by which the triangles of the fan miss the pixel's centre; nothing
+// if one of them covers it, or if none has a box that reaches into the pixel.
 std::optional<CentreMiss> miss_of(const TracedTriangle& triangle, int x, int y) {
   std::optional<CentreMiss> nearest;
   for (const TracedPiece& piece : triangle.pieces) {
@@ -171,10 +172,10 @@ PixelEvent fragment_event(const Scene& scene, const Trace& trace, const TracedFr
   return event;
 }
 
-// ---- in order ----
+// ---- the order of the events ----
 
-// The place of an event in the run: the draw, the triangle, the piece. Lines and points come after
-// the triangles of their draw.
+// The place of an event in the run: the index of the draw, the number of the triangle, and the
+// index in its fan. Lines and points come after the triangles of their draw.
 using Place = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
 
 std::vector<PixelEvent> sorted_events(std::vector<std::pair<Place, PixelEvent>> placed) {
@@ -229,7 +230,7 @@ PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int 
   for (std::size_t i = 0; i < trace.draws.size(); ++i) turn[trace.draws[i].instance] = i;
 
   std::vector<std::pair<Place, PixelEvent>> placed;
-  // Number and face of each traced triangle.
+  // The number and the face of each traced triangle.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> faces;
   for (const TracedTriangle& triangle : trace.triangles) {
     faces.emplace_back(triangle.number, triangle.face);

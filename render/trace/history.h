@@ -50,24 +50,24 @@ struct PixelEvent {
   std::optional<std::size_t> stored_by;  // the event that wrote `stored`; none: the cleared buffer
   bool writes_depth = false;
 
-  // For kDiscarded and the later kinds.
+  // For kDiscarded and the kinds after it: the surface's alpha, and the material's cutoff.
   float alpha = 1, cutoff = 0;
   // kMasked, kBlended, kWritten: linear light before blending, and the pixel's bytes after applying
   // the mask.
   Rgba light;
   Rgba8 before, after;
-  std::optional<std::size_t> overwritten_by;  // index of that event
+  std::optional<std::size_t> overwritten_by;  // index of the event that overwrote it
 };
 
 inline bool is_fragment(const PixelEvent& event) {
   return event.kind >= PixelEventKind::kHidden;
 }
-// Whether the final picture still shows it.
+// Whether the final picture still shows the event.
 inline bool survives(const PixelEvent& event) {
   return event.kind >= PixelEventKind::kBlended && !event.overwritten_by;
 }
 
-// A triangle whose box reaches into the pixel, but which does not cover its centre.
+// A triangle whose box reaches into the pixel, but which does not cover the pixel's centre.
 struct PixelMiss {
   std::uint32_t number = 0;
   std::uint32_t instance = 0;
@@ -80,16 +80,16 @@ struct PixelHistory {
   Rgba8 cleared;  // what the pixel held at the beginning
   std::vector<PixelEvent> events;
   std::vector<PixelMiss> misses;     // the nearest first
-  std::uint32_t without_area = 0;    // triangles that reach into it and have no area after snapping
+  std::uint32_t without_area = 0;    // triangles without area whose box reaches into the pixel
   std::optional<std::size_t> shows;  // the last event that is still visible; none: the background
   Rgba8 shown;                       // the picture's pixel
   // False if the picture is replaced at the end according to RenderSettings::show (depth, numbers,
   // overdraw): then `shown` is not the bytes of any event.
   bool shows_bytes = true;
-  bool complete = true;  // false: the trace used up its memory limit
+  bool complete = true;  // false: the trace reached its memory limit
 };
 
-// The trace must have all triangles and fragments of the pixel.
+// Makes the history from a trace, which must have all triangles and fragments of the pixel.
 PixelHistory pixel_history(const Scene& scene, const TracedRun& run, int x, int y);
 
 // Runs the staged reference to find the history. `rendering`, if not null, receives the picture.

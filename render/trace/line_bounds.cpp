@@ -14,7 +14,8 @@
 namespace glassbox {
 namespace {
 
-// The line's ends before clipping, as weights of three corners.
+// The ends of a line before clipping: two of three corners, with the bounds and attributes of the
+// corners.
 struct Corners {
   std::array<ClipVertex, 3> clip;
   std::array<ClipVertexBound, 3> bounds;
@@ -45,7 +46,8 @@ Corners corners_of_mesh(const CornerStage& stage, const TracedDraw& draw,
   return corners;
 }
 
-// The attributes are those of the first side of the triangle that is seen.
+// Returns the corners of the triangle that the edge belongs to. The attributes are those of the
+// side that is seen: front or back, as for the first triangle of the fan that is not culled.
 Corners corners_of_triangle(const CornerStage& stage, const BoundsOfRun::KnownTriangle& known,
                             std::size_t edge) {
   const TracedTriangle& triangle = *known.triangle;
@@ -64,7 +66,7 @@ Corners corners_of_triangle(const CornerStage& stage, const BoundsOfRun::KnownTr
   return corners;
 }
 
-// Clips plane by plane, as clip_segment does.
+// Clips a line plane by plane, as clip_segment does, and changes the bounds of its ends with it.
 void clip(std::span<const ClipPlane> planes, std::array<ClipVertex, 2>& ends,
           std::array<ClipVertexBound, 2>& bounds) {
   for (const ClipPlane& plane : planes) {
@@ -142,9 +144,9 @@ bool LineBounds::may_miss(const Fragment& fragment) const {
                    : line_may_miss(ends, fragment, moved_);
 }
 
-// Both functions compare integers of 1/256 pixel; only the bound itself is rounded. Coordinates are
-// below 2^24 (SnappedVertex), products below 2^50. A comparison with a NaN bound is false, which
-// counts as "may miss".
+// point_may_miss() and line_may_miss() compare integers of 1/256 pixel; only the bound itself is
+// rounded. Coordinates are below 2^24 (SnappedVertex), products below 2^50. A comparison with a NaN
+// bound is false, and then the answer is "may miss".
 
 bool point_may_miss(const SnappedVertex& point, const Fragment& fragment, double moved) {
   const double by = moved * kSubpixels * kRoundUp;
@@ -159,16 +161,18 @@ bool line_may_miss(const std::array<SnappedVertex, 2>& ends, const Fragment& fra
   const LineSetup line = setup_line(ends[0], ends[1]);
   const std::int64_t x = centre_of(line.x_major ? fragment.x : fragment.y);
   const std::int64_t y = centre_of(line.x_major ? fragment.y : fragment.x);
-  // What an end decides depends on whether it is inside the pixel's diamond, and on which side of
-  // its centre.
+  // What an end of the line decides depends on whether it is inside the pixel's diamond (|dx| +
+  // |dy| below half a pixel), and on which side of the pixel's centre it is. The exact end must be
+  // the same in both respects.
   for (const SnappedVertex& end : {line.low, line.high}) {
     const std::int64_t dx = std::abs(end.x - x), dy = std::abs(end.y - y);
     const std::int64_t from_border = std::abs(dx + dy - kPixelCentre);
     if (!(double(from_border) > 2 * by && double(dx) > by)) return true;
   }
-  // Between the ends the line passes the pixel's centre at less than half a pixel's distance. The
-  // slope is at most 1, so the line moves by no more than the sum of both coordinates' moves of an
-  // end. Also, which axis is the longer one must not change.
+  // Between the ends, the exact line must also pass the pixel's centre at less than half a pixel's
+  // distance along the shorter axis. The slope is at most 1; so if an end moves by `by` along x and
+  // along y, the line moves by at most 2 by. Also, the same axis must stay the longer one: run -
+  // |rise| changes by at most 4 by.
   const std::int64_t run = line.high.x - line.low.x, rise = line.high.y - line.low.y;
   if (!(double(run - std::abs(rise)) > 4 * by)) return true;
   const std::int64_t beside_times_run = (line.low.y - y) * run + (x - line.low.x) * rise;

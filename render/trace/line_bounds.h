@@ -2,7 +2,7 @@
 // of their fragments.
 //
 // A line is treated as a triangle whose vertex 0 has weight 0 (raster/interpolate.h). So what holds
-// for fragments of triangles holds for the fragments of a line; they represent points of the
+// for fragments of triangles holds for the fragments of a line, which represent points of the
 // snapped line. A point's one fragment has the numbers of its vertex.
 #pragma once
 
@@ -22,7 +22,7 @@ namespace glassbox {
 // px from the snapped ones, along x and along y.
 bool line_may_miss(const std::array<SnappedVertex, 2>& ends, const Fragment& fragment,
                    double moved);
-// Whether the exact point may be in another pixel than the fragment's.
+// Whether the exact point may be in another pixel than the fragment's. `moved` is as for lines.
 bool point_may_miss(const SnappedVertex& point, const Fragment& fragment, double moved);
 
 class LineBounds {
@@ -37,14 +37,14 @@ public:
   LineBounds(const CornerStage& stage, const Trace& trace, const TracedDraw& draw,
              const FragmentSource& source, const BoundsOfRun::KnownTriangle* triangle);
 
-  // The ends of what clipping left of the line: two, or one for a point.
+  // Returns the ends of what clipping left of the line: two, or one for a point.
   std::span<const LineEnd> ends() const { return std::span(ends_).first(is_point_ ? 1 : 2); }
 
   FragmentBounds of_fragment(const Fragment& fragment) const;
   ColorBounds colors(const TracedFragment& fragment, const FragmentBounds& bounds) const;
 
-  // The same as line_may_miss, with the bounds of this line's ends; for a point the same as
-  // point_may_miss.
+  // Whether the exact line or point might not cover the fragment's pixel: line_may_miss() or
+  // point_may_miss() with the bounds of this line's ends.
   bool may_miss(const Fragment& fragment) const;
 
 private:

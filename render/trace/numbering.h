@@ -14,10 +14,10 @@ struct NumberedTriangle {
   std::uint32_t face = 0;      // index into Mesh::faces
 };
 
-// How many numbers there are; triangles without area are included.
+// Returns how many triangle numbers the scene has; triangles without area are included.
 std::uint64_t count_triangles(const Scene& scene);
 
-// Returns nothing if there is no such number.
+// Returns the triangle with this number; nothing if there is none.
 std::optional<NumberedTriangle> find_triangle(const Scene& scene, std::uint64_t number);
 
 }  // namespace glassbox

@@ -27,7 +27,7 @@ float as_float(double bound) {
                                  : nearest;
 }
 
-// Returns the triangle's corner that the vertex is, if clipping did not change it.
+// Returns which corner of the triangle the vertex is; nothing if clipping made the vertex.
 std::optional<std::uint32_t> corner_of(const TracedVertex& vertex) {
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (vertex.clip.weights[k] == 1) return k;
@@ -47,7 +47,7 @@ BoundPlace place_of(const TracedFragment& fragment) {
   return place;
 }
 
-// The error that storing a depth in the buffer's format adds.
+// Returns the error that storing a depth in the buffer's format adds.
 double rounding_of_format(DepthFormat format, float depth, std::uint32_t code) {
   switch (format) {
     case DepthFormat::kFloat32:
@@ -71,8 +71,8 @@ bool is_there(const std::array<Bounded, 3>& normal) {
   return std::ranges::any_of(normal, [](const Bounded& n) { return n.value != 0 || n.bound != 0; });
 }
 
-// Bounds |error| / |normal| without neglecting higher orders: the divisor is the length of the
-// normal minus its error.
+// Returns a bound of |error| / |normal|. Higher orders are not neglected: the divisor is the length
+// of the normal minus its error.
 double share_of_length(const std::array<Bounded, 3>& normal) {
   double squared = 0, error = 0;
   for (const Bounded& n : normal) {
@@ -104,7 +104,7 @@ double BoundSummary::typical() const {
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
     below += bins_[bin];
     if (bins_[bin] == 0 || 2 * below < count_) continue;
-    // The bin of 0 contains nothing else except subnormal bounds.
+    // Bin 0 contains only 0 and subnormal bounds.
     const std::uint32_t last = std::uint32_t((bin + 1) << kShift) - 1;
     return bin == 0 ? 0 : std::min(largest_, double(std::bit_cast<float>(last)));
   }
@@ -155,7 +155,8 @@ void PictureBounds::follow(const TracedFragment& fragment, const FragmentBounds&
   if (fragment.result == FragmentResult::kHidden) return;
   const bool near_edge = may_miss();
   errors_.fragments_near_edge += near_edge;
-  // A fragment that is certainly in front, and certainly in the triangle, ends all earlier doubts.
+  // A fragment that is certainly in front and certainly covers the pixel ends all earlier doubts
+  // about what the pixel shows.
   if (fragment.result == FragmentResult::kWritten) pixel.is_undecided = as_deep;
   pixel.is_undecided |= near_edge;
   if (settings_.show != Show::kColor) return;
@@ -191,8 +192,8 @@ void PictureBounds::add_line_fragment(const TracedFragment& fragment, Pixel& pix
       [&] { return line.colors(fragment, bounds); });
 }
 
-// Records the line's ends when its first fragment comes; those of an edge have come with its
-// triangle.
+// Returns the bounds of the fragment's line. When the line's first fragment comes, the errors of
+// its ends are added; those of an edge have been added with its triangle.
 const LineBounds& PictureBounds::line_of(const TracedFragment& fragment) {
   const FragmentSource& source = fragment.source;
   const bool is_the_same = line_ && line_instance_ == fragment.instance &&
@@ -236,8 +237,9 @@ bool PictureBounds::add_depth(const TracedFragment& fragment, const FragmentBoun
     const double first_order = distance_of_depth(distance, view_.near, view_.far, stored);
     errors_.distance.add(share_of_distance(first_order / distance), where);
   }
-  // The test compares codes. If codes are equal, or their bounds overlap, the exact depths may be
-  // in the other order; then the other depth may be the stored one.
+  // The depth test compares codes. If the codes are equal, or the bounds of the depths overlap, the
+  // exact depths may be in the other order; then, exactly, the other depth may be the one that is
+  // stored.
   const double apart = std::abs(double(place.depth) - double(pixel.depth));
   const bool as_deep = apart <= stored + double(pixel.depth_bound);
   errors_.fragments_as_deep += as_deep;
@@ -252,8 +254,9 @@ bool PictureBounds::add_depth(const TracedFragment& fragment, const FragmentBoun
   return as_deep;
 }
 
-// The snapped triangle's vertices are within s pixels of the exact ones along x and along y. So
-// each point of an edge is within sqrt 2 s of the exact edge.
+// Whether the fragment is so near to an edge that the exact triangle may not cover it. The snapped
+// vertices are within s (`moved`) pixels of the exact ones along x and along y. So each point of an
+// edge is within sqrt 2 s of the exact edge.
 bool PictureBounds::is_near_edge(const TracedFragment& fragment,
                                  const BoundsOfRun::KnownTriangle& known) const {
   const TracedPiece& piece = known.triangle->pieces[fragment.source.piece];
@@ -300,7 +303,8 @@ void PictureBounds::add_attributes(const TracedFragment& fragment, const ColorBo
     errors_.light.add(largest_bound(colors.light), where);
 }
 
-// Blending reads the stored colour, which has an error of its own.
+// Adds the bounds of the bytes that a fragment stores. Blending reads the stored colour, which has
+// an error of its own.
 void PictureBounds::store(const TracedFragment& fragment, const ColorBounds& colors, Pixel& pixel) {
   const bool blended = fragment.result == FragmentResult::kBlended;
   const Bounded alpha = bounded::clamped(colors.surface[3], Bounded(0.0f), Bounded(1.0f));

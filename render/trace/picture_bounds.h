@@ -1,5 +1,5 @@
 // How accurate a picture is, stage by stage: a summary of the running error bounds of a whole run
-// (bounds.h, color_bounds.h), made while its records come, without keeping them. For each kind of
+// (bounds.h, color_bounds.h). It is made during the run, and no records are kept. For each kind of
 // number it has the largest bound and its place, a typical bound (the median), and how many numbers
 // have no bound.
 #pragma once
@@ -21,10 +21,10 @@ namespace glassbox {
 
 // The place of a bound: a vertex after clipping of a triangle, line or point, or a pixel.
 struct BoundPlace {
-  // a triangle's number in the whole scene; an index in its mesh for a line or point.
+  // A triangle's number in the whole scene; for a line or point, the index in its mesh.
   std::uint32_t number = 0;
   std::optional<std::uint32_t> corner;  // of the triangle or line, if clipping did not change it
-  int x = -1, y = -1;                   // for fragments and pixels
+  int x = -1, y = -1;                   // the pixel, for bounds of fragments and pixels
   std::optional<LineKind> line = {};    // the kind of primitive, if it is not a triangle
 };
 
@@ -34,7 +34,7 @@ public:
   void add(double bound, const BoundPlace& place);
 
   std::uint64_t count() const { return count_; }
-  std::uint64_t unbounded() const { return unbounded_; }  // those of them that are infinite
+  std::uint64_t unbounded() const { return unbounded_; }  // how many bounds are infinite
   // The largest of the finite bounds; 0 if there are none.
   double largest() const { return largest_; }
   const BoundPlace& place() const { return place_; }
@@ -43,8 +43,8 @@ public:
   double typical() const;
 
 private:
-  // The bins are given by the exponent and 4 bits of the mantissa of the bound as a float: steps of
-  // 1/16.
+  // The bin of a bound is given by the exponent and 4 bits of the mantissa of its value as a float,
+  // so the bins are 1/16 wide, relative to their value.
   static constexpr int kShift = 19;
   std::vector<std::uint64_t> bins_ = std::vector<std::uint64_t>(std::size_t(1) << (31 - kShift));
   std::uint64_t count_ = 0, unbounded_ = 0;
@@ -53,32 +53,34 @@ private:
 };
 
 struct PictureErrors {
-  // For vertices of triangles that have an area on the screen, in pixels, the larger of x and y:
-  // `screen` before and `snapped` after the snap. `cut`: after the snap, for vertices that clipping
-  // made, which may be thousands of pixels outside the picture.
+  // For vertices of triangles that have an area on the screen, the larger of the bounds of x and y,
+  // in pixels: `screen` before the snap, `snapped` after it. `cut`: after the snap, for vertices
+  // that clipping made, which may be thousands of pixels outside the picture.
   BoundSummary screen, snapped, cut;
-  // For fragments: NDC depth as the buffer stores it; and for perspective views its error as a
-  // share of the distance along the gaze.
+  // For fragments: the error of NDC depth as the buffer stores it; and for perspective views the
+  // same error as a fraction of the distance along the gaze.
   BoundSummary depth, distance;
-  // For fragments in front: texture coordinates in texels of level 0, the larger of both axes; and
-  // the length of the normal's error over the length of the normal, where there is a normal.
+  // For fragments that passed the depth test: texture coordinates in texels of level 0, the larger
+  // of both axes; and the length of the normal's error over the length of the normal, if there is a
+  // normal.
   BoundSummary texcoord, normal;
-  // For the same fragments, in linear light, the largest over the channels: the texture sample, and
-  // the colour after lighting; full light is 1.
+  // For fragments that passed the depth test, in linear light (full light is 1), the largest bound
+  // over the channels: of the texture sample, and of the colour after lighting.
   BoundSummary texture, light;
-  // In bytes: for what fragments store, and for the final picture.
+  // In steps of a byte (0 .. 255): the bounds of what fragments store, and of the final picture.
   BoundSummary stored, picture;
 
-  // ---- what numbers within their bounds would decide otherwise, or might ----
-  // The exact vertex may be snapped to another place of the grid.
+  // ---- decisions that might differ if the numbers were exact ----
+  // Vertices that may be snapped to another point of the grid.
   std::uint64_t vertices_snapped_elsewhere = 0;
   std::uint64_t fragments_near_edge = 0;  // the exact triangle may not cover them
   std::uint64_t fragments_as_deep = 0;    // the depth test may have the other result
   std::uint64_t fragments_at_cutoff = 0;  // the alpha test may have the other result
-  std::uint64_t pixels_undecided = 0;     // pixels that show such a fragment, of any of the three
+  // Pixels that show a fragment that is near an edge, as deep as another, or at the cutoff.
+  std::uint64_t pixels_undecided = 0;
 
   std::uint64_t fragments_of_lines_and_points = 0;
-  // Pixels whose bytes have no bound: what they show exceeds all bounds.
+  // Pixels with a stored byte that has no finite bound.
   std::uint64_t pixels_unbounded = 0;
 };
 
@@ -105,14 +107,15 @@ private:
     bool is_drawn = false, is_undecided = false;
   };
 
-  // Returns whether the fragment's exact depth may be on the other side of the pixel's depth.
+  // Adds the bound of the fragment's depth. Returns whether the exact depth may be on the other
+  // side of the pixel's depth.
   bool add_depth(const TracedFragment& fragment, const FragmentBounds& bounds, Pixel& pixel);
   void add_attributes(const TracedFragment& fragment, const ColorBounds& colors);
   void store(const TracedFragment& fragment, const ColorBounds& colors, Pixel& pixel);
   void add_line_fragment(const TracedFragment& fragment, Pixel& pixel);
   const LineBounds& line_of(const TracedFragment& fragment);
-  // The part common to triangles and lines, from the depth test on; `may_miss` is called only for
-  // fragments that passed it.
+  // Adds a fragment of a triangle, line or point, from the depth test on. `may_miss` is called only
+  // if the fragment passed the test, `colors` only if colours are shown as well.
   template <class MayMiss, class Colors>
   void follow(const TracedFragment& fragment, const FragmentBounds& bounds, Pixel& pixel,
               const MayMiss& may_miss, const Colors& colors);
@@ -128,10 +131,10 @@ private:
   BoundsOfRun bounds_;
   PictureErrors errors_;
   Image<Pixel> pixels_;
-  // The piece whose fragments are being recorded.
+  // The triangle of a fan whose fragments are being added.
   std::optional<PieceColors> piece_;
   std::uint32_t piece_triangle_ = 0, piece_number_ = 0;
-  // The line or point whose fragments are being recorded.
+  // The line or point whose fragments are being added.
   std::optional<LineBounds> line_;
   FragmentSource line_source_;
   std::uint32_t line_instance_ = 0;

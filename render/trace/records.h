@@ -1,5 +1,5 @@
-// The records of a trace: those of pipeline/stages.h and raster/stages.h as a run made them, with
-// the decisions of its tests.
+// The records of a trace: the results of the stages (pipeline/stages.h and raster/stages.h) as a
+// run made them, with the decisions of its tests.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ namespace glassbox {
 // One instance of a mesh as the run draws it.
 struct TracedDraw {
   std::uint32_t instance = 0;      // index into Scene::instances
-  std::uint32_t first_number = 0;  // of the draw's first triangle, in the whole scene
+  std::uint32_t first_number = 0;  // number of the draw's first triangle in the whole scene
   Transform<World, Object> world_from_object;
   Vector<Object> anchor;  // subtracted from positions first; the subtraction is exact
   Transform<Clip, Object, float> clip_from_anchored;
@@ -56,7 +56,7 @@ struct TracedPiece {
   std::array<std::size_t, 3> polygon{};  // indices of its vertices in the polygon
   std::array<ScreenVertex, 3> vertices;
   std::optional<TriangleSetup> setup;  // none: no area after snapping
-  bool front = false;                  // set if there is a setup
+  bool front = false;                  // the viewer sees its front; set only if there is a setup
   bool culled = false;
 };
 
@@ -65,14 +65,14 @@ struct TracedTriangle {
   std::uint32_t instance = 0;  // index into Scene::instances
   std::uint32_t face = 0;      // index into Mesh::faces
   std::array<TracedCorner, 3> corners;
-  // The steps of Trace::planes, in order, until nothing was left. Empty if no plane cut anything:
-  // all corners were inside, or all outside one plane.
+  // What each plane of Trace::planes left, in order, until nothing was left. Empty if clipping was
+  // not needed: all corners were inside all planes, or all outside one plane.
   std::vector<ClipStep> clipping;
   std::vector<TracedVertex> polygon;  // after clipping; empty: nothing is left
   std::vector<TracedPiece> pieces;
 };
 
-// The corners before clipping.
+// Returns the corners before clipping.
 inline std::array<ClipVertex, 3> clip_vertices(const TracedTriangle& triangle) {
   std::array<ClipVertex, 3> vertices;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -92,25 +92,25 @@ struct TracedFragment {
   std::uint32_t code = 0;    // its depth code
   std::uint32_t stored = 0;  // the code that the buffer held
   FragmentResult result = FragmentResult::kHidden;
-  // Set if it passed the depth test:
+  // Set if the fragment passed the depth test:
   Varyings at;
   Rgba surface;
-  // Set if it was written or blended:
+  // Set if the fragment was written or blended:
   std::array<float, 3> emission{};  // the surface's own light, included in `light`
   Rgba light;                       // linear; set only if the picture shows light
   Rgba8 before, after;
 };
 
-// ---- the whole ----
+// ---- the whole trace ----
 
 struct Trace {
   View view;
   RenderSettings settings;
   // The planes of the run's clipping: render_planes.
   std::array<ClipPlane, kMaxClipPlanes> planes{};
-  std::vector<TracedDraw> draws;  // in drawing order; all of them, for any filter
+  std::vector<TracedDraw> draws;  // all draws, in drawing order, for any filter
   std::vector<TracedTriangle> triangles;
-  std::vector<TracedFragment> fragments;  // in the order in which they came
+  std::vector<TracedFragment> fragments;  // in the order in which they were drawn
   bool complete = true;                   // false: the filter's limit of bytes was reached
 };
 

@@ -267,7 +267,7 @@ void ResultCounter::find_visible() {
   }
   if (box.empty()) return;
   details_.visible_box = box;
-  int least = std::numeric_limits<int>::max();  // twice the distance, |dx| + |dy|
+  int least = std::numeric_limits<int>::max();  // twice |dx| + |dy| from the box's middle
   for (int y = box.y0; y < box.y1; ++y) {
     for (int x = box.x0; x < box.x1; ++x) {
       const int away =

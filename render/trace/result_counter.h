@@ -1,4 +1,4 @@
-// Counts the results of every triangle of a run. For one of them it also records which other
+// Counts the results of every triangle of a run. For one triangle it also records which other
 // triangles were the cause.
 #pragma once
 
@@ -19,8 +19,8 @@
 
 namespace glassbox {
 
-// Returns where a triangle ends that has no fragments, given the triangle, its pieces and the
-// planes as a trace records them.
+// Returns where a triangle ends that has no fragments. `triangle` and `planes` are as a trace
+// records them.
 TriangleResult result_before_fragments(const TracedTriangle& triangle,
                                        std::span<const ClipPlane> planes,
                                        const RenderSettings& settings, const PixelRect& picture);
@@ -33,15 +33,15 @@ struct TriangleFragmentCounts {
   std::uint32_t masked = 0;             // no channel may be written
   std::uint32_t overwritten = 0;        // by something opaque that came later
   std::uint32_t visible = 0;            // part of the final picture
-  std::uint32_t unchanged = 0;          // those visible ones that left the bytes as they were
+  std::uint32_t unchanged = 0;          // visible ones that left the bytes as they were
   std::uint32_t under_translucent = 0;  // visible ones with something translucent over them
 };
 
-// Returns where a triangle with these fragments ends; `before` if it has none.
+// Returns where a triangle with these fragments ends; this is `before` if it has none.
 TriangleResult result_of(const TriangleFragmentCounts& fragments, TriangleResult before);
 
-// Another triangle that hid or overwrote this one, and at how many pixels; no number for lines and
-// points.
+// A triangle that hid or overwrote another one, and at how many pixels. Lines and points have no
+// number.
 struct Occluder {
   std::optional<std::uint32_t> number;
   std::uint32_t pixels = 0;
@@ -49,7 +49,7 @@ struct Occluder {
 
 // The results of one triangle's fragments, and which triangles were the cause.
 struct FragmentDetails {
-  std::vector<Occluder> hidden_by, overwritten_by;  // those with the most pixels first
+  std::vector<Occluder> hidden_by, overwritten_by;  // triangles with most pixels first
 
   // The fragment that came closest to passing the depth test.
   struct Hidden {
@@ -76,7 +76,7 @@ struct FragmentDetails {
   };
   std::optional<Unchanged> unchanged;
 
-  std::optional<std::array<int, 2>> overwritten_at;  // one of the pixels
+  std::optional<std::array<int, 2>> overwritten_at;  // a pixel where it was overwritten
   PixelRect visible_box;                             // the bounding box of its visible pixels
   std::optional<std::array<int, 2>> example;  // the visible pixel nearest to the middle of the box
 };
@@ -144,7 +144,7 @@ private:
   const int width_, height_;
 
   const Draw* draw_ = nullptr;
-  TracedTriangle current_;  // its memory is used again
+  TracedTriangle current_;  // its memory is reused for the next triangle
   std::vector<Entry> entries_;
 
   std::uint32_t code_ = 0, stored_ = 0;  // of the current fragment
@@ -152,9 +152,9 @@ private:
   Rgba8 before_, after_;
 
   std::vector<Nearest> nearest_;     // by pixel: the triangle that wrote the depth
-  std::vector<std::uint32_t> tops_;  // by pixel: its uppermost layer
+  std::vector<std::uint32_t> tops_;  // by pixel: index of its uppermost layer
   std::vector<Layer> layers_;
-  std::uint32_t free_ = 0;  // a list of unused layers
+  std::uint32_t free_ = 0;  // the first of a list of unused layers
 
   Counts hidden_by_, overwritten_by_;
   FragmentDetails details_;

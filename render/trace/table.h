@@ -23,7 +23,7 @@
 namespace glassbox {
 
 struct Array {
-  std::string name;                // "corner.clip"
+  std::string name;                // for example "corner.clip"
   std::string type;                // NumPy's name: "<f4", "|b1"
   std::vector<std::size_t> shape;  // of one row
   std::size_t row_bytes = 0;
@@ -36,8 +36,8 @@ struct Array {
 // them.
 class Table {
 public:
-  // `group` > 1: this many rows belong together, and the arrays have it as their second dimension.
-  // 0: there is one row, and no dimension for it.
+  // If `group` > 1, this many rows belong together, and the arrays have `group` as their second
+  // dimension. If it is 0, there is one row, and no dimension for it.
   explicit Table(std::string prefix, std::size_t group = 1)
       : prefix_(std::move(prefix)), group_(group) {}
 
@@ -83,14 +83,14 @@ public:
     for (Array& array : arrays_) array.wanted = is_among(prefix_) || is_among(array.name);
   }
 
-  // The number of bytes that a row takes in all wanted arrays.
+  // Returns the number of bytes that a row takes in all wanted arrays.
   std::size_t row_bytes() const {
     std::size_t bytes = 0;
     for (const Array& array : arrays_) bytes += array.wanted ? array.row_bytes : 0;
     return bytes;
   }
 
-  // Reserves memory for this many rows, so that the arrays take no more than their bytes.
+  // Reserves memory for this many rows, so that the arrays take no more than they need.
   void reserve(std::size_t rows) {
     for (Array& array : arrays_) {
       if (array.wanted) array.bytes.reserve(rows * array.row_bytes);
@@ -101,7 +101,7 @@ public:
   std::vector<Array>& arrays() { return arrays_; }
   const std::vector<Array>& arrays() const { return arrays_; }
 
-  // All dimensions of one of the arrays.
+  // Returns all dimensions of one of the arrays: of its rows, then of the numbers in a row.
   std::vector<std::size_t> shape_of(const Array& array) const {
     std::vector<std::size_t> shape;
     if (group_ > 0) shape.push_back(rows_ / group_);

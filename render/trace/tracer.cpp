@@ -70,7 +70,7 @@ protected:
   TraceSink& sink_;
   const Draw* draw_ = nullptr;
   TracedDraw traced_draw_;
-  // Triangle numbers; for filters by position.
+  // The numbers of the triangles that have the wanted vertex; only for filters by position.
   std::unordered_set<std::uint32_t> with_wanted_vertex_;
 
 private:
@@ -80,7 +80,7 @@ private:
   bool complete_ = true;
 };
 
-// Also records triangles.
+// Records the draws of a run, and also the triangles.
 class TriangleTracer : public DrawTracer {
 public:
   TriangleTracer(const Scene& scene, const View& view, const TraceFilter& filter, TraceSink& sink)
@@ -114,7 +114,8 @@ public:
     current_.pieces.clear();
   }
 
-  // The polygon's vertices come first; in wireframe pictures the ends of edges follow.
+  // This is called for the vertices of the clipped polygon first; in wireframe pictures, the ends
+  // of edges follow.
   void divided(const ClipVertex& clip, NdcVertex& ndc) override {
     of_polygon_ = watching_ && int(current_.polygon.size()) < polygon_count_;
     if (of_polygon_)
@@ -195,7 +196,7 @@ private:
     }
   }
 
-  // Computes the corner in the spaces that the run does not use.
+  // Computes the corner in the spaces that the run does not use: world and eye space.
   void place(TracedCorner& corner) const {
     corner.position = draw_->mesh->corners[corner.corner].position;
     corner.object = draw_->mesh->positions[corner.position];
@@ -207,16 +208,17 @@ private:
 
   const View& view_;
   const std::array<ClipPlane, kMaxClipPlanes> planes_;
-  std::vector<ClipPlane> side_planes_;  // all except near and far
+  std::vector<ClipPlane> side_planes_;  // the clip planes that do not bound depth
   bool watching_ = false;               // whether the current triangle is recorded
   bool was_cut_ = false;                // whether clipping changed the current triangle
-  // Its memory is used again, so that triangles that are not kept cost no allocation.
+  // The current triangle. Its memory is reused, so that triangles that are not kept cost no
+  // allocation.
   TracedTriangle current_;
   int polygon_count_ = 0;    // vertices that clipping left of the current triangle
-  bool of_polygon_ = false;  // whether the vertex that was divided last is one of them
+  bool of_polygon_ = false;  // the vertex divided last belongs to the clipped polygon
 };
 
-// Also records fragments.
+// Records the draws and triangles of a run, and also the fragments.
 class Tracer : public TriangleTracer {
 public:
   using TriangleTracer::TriangleTracer;

@@ -10,14 +10,15 @@
 
 namespace glassbox {
 
-// All conditions must hold. Empty ones always hold: TraceFilter{.triangle = 4}.
+// A record must fulfil all conditions. Empty ones are always fulfilled: TraceFilter{.triangle = 4}
+// has one condition.
 struct TraceFilter {
   std::optional<std::uint32_t> instance{};  // index into Scene::instances
   std::optional<std::uint32_t> triangle{};  // number in the whole scene
   // Index into Mesh::positions: triangles with that vertex.
   std::optional<std::uint32_t> position{};
-  // Fragments of these pixels, and triangles whose box on the screen reaches into them, or would if
-  // the near and far planes did not clip.
+  // Fragments of these pixels, and triangles whose box on the screen reaches into them, or would
+  // reach into them if the near and far planes did not clip.
   std::optional<PixelRect> pixels{};
   // By stage: whether triangles, fragments and the colours of fragments are recorded.
   bool triangles = true;
@@ -29,7 +30,7 @@ struct TraceFilter {
 // Returns the record of a draw.
 TracedDraw record_of(const Draw& draw, const Scene& scene);
 
-// Receives records as soon as they are complete: all draws, and those of the other records that
+// Receives records as soon as they are complete: all draws, and the triangles and fragments that
 // pass the filter.
 class TraceSink {
 public:
@@ -54,7 +55,7 @@ struct TracedRun {
   Trace trace;
 };
 
-// Traces such a run and keeps all of its records.
+// Traces one run of the staged reference and keeps all of its records.
 TracedRun trace(const Scene& scene, const View& view, const RenderSettings& settings,
                 const TraceFilter& filter);
 

@@ -14,21 +14,21 @@ enum class TriangleResult : std::uint8_t {
   kOutsidePlane,    // clip: all corners are outside one plane
   kClippedAway,     // clip: several planes together leave nothing
   kNoScreenArea,    // setup: no area after snapping
-  kTurnedAway,      // cull
+  kTurnedAway,      // cull: it faces the wrong way
   kOutsidePicture,  // coverage: outside the picture, within the guard band
   kBetweenCentres,  // coverage: no pixel's centre is covered
   kHidden,          // depth test: no fragment passes
-  kDiscarded,       // alpha below the material's cutoff
-  kMasked,          // the colour mask lets nothing through
-  kOverwritten,     // written, then written over
-  kUnchanged,       // the visible fragments leave the bytes as they were
+  kDiscarded,       // alpha test: alpha below the material's cutoff
+  kMasked,          // write: the colour mask lets nothing through
+  kOverwritten,     // write: written, then written over
+  kUnchanged,       // write: the bytes stay as they were
   kPartlyVisible,   // some fragments are visible
   kVisible,         // all fragments are visible
   kLines,           // the run draws edges, not insides
 };
 inline constexpr std::size_t kTriangleResults = std::size_t(TriangleResult::kLines) + 1;
 
-// The name of the stage that decides, such as "clip".
+// Returns the name of the stage that decides, such as "clip".
 constexpr const char* stage_of(TriangleResult result) {
   constexpr const char* kStages[kTriangleResults] = {
       "assembly", "vertices", "clip",     "clip",       "clip",       "setup",
@@ -37,7 +37,7 @@ constexpr const char* stage_of(TriangleResult result) {
   return kStages[std::size_t(result)];
 }
 
-// A stable name for programs.
+// Returns a name that stays the same, for programs that read it.
 constexpr const char* name_of(TriangleResult result) {
   constexpr const char* kNames[kTriangleResults] = {
       "no-area",        "not-finite",  "behind-eye",      "outside-plane",   "clipped-away",
@@ -47,7 +47,7 @@ constexpr const char* name_of(TriangleResult result) {
   return kNames[std::size_t(result)];
 }
 
-// Whether something of it is seen (for lines: may be seen).
+// Whether something of the triangle is seen (for lines: may be seen).
 constexpr bool is_seen(TriangleResult result) {
   return result >= TriangleResult::kPartlyVisible;
 }

@@ -72,7 +72,7 @@ ClippingVerdict clipping(const TracedTriangle& triangle, const Trace& trace, con
     for (std::size_t i = 0; i < triangle.clipping.size(); ++i) {
       found.steps.push_back({trace.planes[i].name, triangle.clipping[i].after.count});
     }
-    found.steps.back().vertices_left = 0;  // less than a triangle is left, or points that coincide
+    found.steps.back().vertices_left = 0;  // what is left has fewer than three different vertices
     found.plane = found.steps.size() - 1;
   } else {
     Outcode all = ~Outcode{0};
@@ -126,16 +126,16 @@ CullVerdict culling(const Scene& scene, const View& view, const RenderSettings& 
   return found;
 }
 
-// The pixels of the picture whose centres are near the piece.
+// Returns the pixels of the picture whose centres are near the triangle.
 PixelRect pixels_near(const TracedPiece& piece, const PixelRect& picture) {
   std::array<SnappedVertex, 3> snapped;
   for (std::size_t k = 0; k < 3; ++k) snapped[k] = snap(piece.vertices[k]);
-  const PixelRect box = pixels_in_box(snapped);  // x0 == x1 between two columns of centres
+  const PixelRect box = pixels_in_box(snapped);  // empty if between two columns of centres
   return intersect({box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1}, picture);
 }
 
-// For pieces that cover no centre in the picture: finds the smallest miss, or by how much they are
-// outside the picture.
+// For triangles of the fan that cover no centre in the picture: finds the smallest miss (the
+// distance to a centre), or by how much they are outside the picture.
 void judge_coverage(const TracedTriangle& triangle, const PixelRect& picture,
                     TriangleVerdict& verdict) {
   const auto size = [](const OutsideDistances& o) {
@@ -205,7 +205,8 @@ ViewConventions conventions_of(const View& view) {
   const bool reversed = view.depth_range == DepthRange::kReversed;
   ViewConventions found;
   found.right_handed_eye = glm::determinant(glm::dmat3(view.eye_from_world.columns)) > 0;
-  // Along the gaze w grows; in a parallel view, where w is 1, depth grows.
+  // In the direction of the gaze w grows; in a parallel view, where w is 1, depth grows (with a
+  // reversed range it falls).
   found.gaze_is_minus_z = view.perspective ? m.at(3, 2) < 0 : (m.at(2, 2) < 0) != reversed;
   found.hands_mixed = found.right_handed_eye != found.gaze_is_minus_z;
   found.near_depth = depth_at(m, found.gaze_is_minus_z ? -view.near : view.near);

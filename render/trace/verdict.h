@@ -23,8 +23,8 @@ namespace glassbox {
 
 // ---- the view ----
 
-// The conventions that the matrices of a view follow. Those of make_view agree with each other;
-// matrices combined by hand may not.
+// The conventions that the matrices of a view follow. The matrices of make_view agree with each
+// other; matrices combined by hand may not.
 struct ViewConventions {
   bool right_handed_eye = true;  // det(eye_from_world) > 0
   bool gaze_is_minus_z = true;   // the projection's gaze is along -z; otherwise +z
@@ -41,12 +41,12 @@ ViewConventions conventions_of(const View& view);
 enum class NoArea : std::uint8_t {
   kRepeatedPosition,  // corners of the face are at the same place
   kCollinear,         // the triangle's corners are on a line
-  kWholeFace,  // more than three corners whose outline has no area: on a line, or crossing itself
+  kWholeFace,         // a face of more than three corners without area: a line, or crossing itself
 };
 
 struct NoAreaVerdict {
   NoArea reason = NoArea::kCollinear;
-  std::vector<Point<Object>> corners;  // of the whole face
+  std::vector<Point<Object>> corners;  // all corners of the face
 };
 
 // ---- clip ----
@@ -86,7 +86,8 @@ struct CullVerdict {
   bool mirrored = false;  // the model matrix mirrors: front faces run clockwise
   Cull rule = Cull::kMaterial;
   bool double_sided = false;
-  // (P - eye) . m; none where the model matrix has no inverse.
+  // The back-face test in object space, the sign of (P - eye) . m, where P is a corner and m the
+  // Newell vector; none if the model matrix has no inverse.
   std::optional<BackFaceTest> object_space;
 };
 
@@ -100,11 +101,12 @@ struct TriangleVerdict {
   int pieces_without_area = 0, pieces_turned_away = 0, pieces_set_up = 0;
   // The results of the stage that decided:
   std::optional<NoAreaVerdict> no_area;
-  std::optional<ClippingVerdict> clipping;  // kBehindEye, kOutsidePlane, kClippedAway
+  std::optional<ClippingVerdict> clipping;  // for kBehindEye, kOutsidePlane, kClippedAway
   std::optional<NoScreenAreaVerdict> no_screen_area;
-  std::optional<CullVerdict> cull;  // set if any piece is turned away
+  std::optional<CullVerdict> cull;  // set if one triangle of the fan is turned away
   std::optional<OutsideDistances> outside;
-  std::optional<CentreMiss> nearest_centre;  // of those in the picture
+  // The centre in the picture that is missed by the least.
+  std::optional<CentreMiss> nearest_centre;
   TriangleFragmentCounts fragments;
   FragmentDetails details;
   std::uint64_t line_pixels = 0;  // for kLines: the pixels in which its edges are seen
@@ -115,7 +117,7 @@ struct TriangleVerdict {
 Result<TriangleVerdict> triangle_verdict(const Scene& scene, const View& view,
                                          const RenderSettings& settings, std::uint64_t number);
 
-// How many triangles end at each place.
+// How many triangles of a scene have each result.
 struct SceneVerdict {
   struct Group {
     std::uint64_t triangles = 0;

@@ -14,8 +14,9 @@ namespace glassbox::study::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Sixteen independent chains keep the processor busy: one operation takes about four cycles, and a
-// processor can start two of them in each cycle.
+// Computes sixteen chains of operations that do not depend on each other, to keep the processor
+// busy: an operation takes about four cycles, and a processor can start two operations in each
+// cycle.
 std::int64_t chains(std::int64_t rounds, float& result) {
   const hn::CappedTag<float, 16> tag;
   using Vector = hn::Vec<decltype(tag)>;

@@ -36,7 +36,8 @@ bool Channel::receive(std::span<std::byte> bytes) {
   return true;
 }
 
-// Lines are short and few, so they are read byte by byte: nothing that follows the line is read.
+// Reads byte by byte, so that nothing after the line is read. Lines are short and few, so this is
+// fast enough.
 std::optional<std::string> Channel::receive_line() {
   std::string line;
   for (char c = 0; receive(std::as_writable_bytes(std::span(&c, 1)));) {

@@ -10,7 +10,7 @@
 namespace glassbox::study {
 
 // One end of a connected pair of sockets, which this object owns. The functions return false or
-// nothing when the other end is gone.
+// nothing after the process at the other end has closed its socket.
 class Channel {
 public:
   explicit Channel(int socket) : socket_(socket) {}

@@ -33,24 +33,26 @@ bool has_levels(const Scene& scene) {
   });
 }
 
-// Allows this additional share of the pixels to differ by as much as `by`.
+// Allows an additional fraction `share` of the pixels to differ from the peer's picture by up to
+// `by` levels (of 255).
 void widen(MatchBounds& bounds, double share, int by) {
   bounds.beyond_share += share;
   bounds.beyond = std::max(bounds.beyond, by);
 }
 
-// The measured differences are in docs/benchmark.md.
+// How much the pictures of Glassbox and OpenGL may differ; docs/benchmark.md lists the measured
+// differences.
 MatchBounds bounds_of(const BenchScene& bench) {
   MatchBounds bounds;
   bounds.samples = bench.settings.samples;
   bounds.eyes = int(bench.passes.size());
   bounds.beyond = bounds.same_color;
-  // OpenGL takes the mipmap level of a quad of 2 x 2 pixels, from the differences between them;
-  // Glassbox computes it for each pixel.
+  // OpenGL computes one mipmap level for a block of 2 x 2 pixels, from the differences between
+  // these pixels; Glassbox computes a level for each pixel.
   if (has_levels(bench.scene)) widen(bounds, 0.02, 16);
-  // Each blended layer rounds to a byte, and with alphas of 1/8 up to 8 such errors add up. With
-  // few layers this happens in few pixels, with that many layers it may happen in any pixel,
-  // because llvmpipe always rounds to the same side on some processors.
+  // The colour is rounded to a byte after each blended layer, and with alphas of 1/8 up to 8 such
+  // errors add up. With fewer than 8 layers they add up in few pixels; with 8 or more it may happen
+  // in any pixel, because llvmpipe always rounds to the same side on some processors.
   constexpr std::ptrdiff_t kLayersThatAddUp = 8;
   if (const auto layers = count_draws(bench.scene, AlphaMode::kBlend); layers > 0) {
     widen(bounds, layers < kLayersThatAddUp ? 0.001 : 1, 10);
@@ -62,8 +64,8 @@ MatchBounds bounds_of(const BenchScene& bench) {
   return bounds;
 }
 
-// Draws every object, even one outside the frustum: only its triangles and pixels are rejected,
-// later in the pipeline.
+// Plans to draw every object, even one outside the frustum; its triangles and pixels are then
+// rejected later in the pipeline.
 std::vector<Plan> plan_all_draws(std::span<const PlannedEye> eyes, bool leave_out) {
   std::vector<Plan> plans = make_plans(eyes, leave_out);
   for (Plan& plan : plans) {
@@ -126,8 +128,8 @@ EnginePicture GlassboxPeer::picture() {
   return drawn;
 }
 
-// Objects that fit between pixel centres have edges that no centre sees, so the edges are also
-// marked in pictures drawn at the sample positions.
+// An object so small that it lies between pixel centres covers samples, but no pixel centre. So
+// edges are also marked in pictures that are drawn at the sample positions.
 void GlassboxPeer::mark_edges_of_samples(Image<std::uint8_t>& edge) const {
   RenderSettings settings = with_one_sample(bench_.settings);
   settings.want_id = true;
@@ -143,9 +145,9 @@ void GlassboxPeer::mark_edges_of_samples(Image<std::uint8_t>& edge) const {
   }
 }
 
-// Where several blended triangles overlap, the image of triangle ids keeps only the last one and
-// hides the edges of those behind it. So all edges of blended triangles are drawn as lines; an
-// opaque wireframe of them hides only parts of other lines.
+// Where several blended triangles overlap, the image of triangle ids keeps only the last triangle
+// and hides the edges of the triangles behind it. So all edges of blended triangles are drawn as
+// lines, in an opaque wireframe, where only lines can hide parts of lines.
 void GlassboxPeer::mark_edges_behind_glass(Image<std::uint8_t>& edge) const {
   Scene lines = bench_.scene;
   std::erase_if(lines.instances, [&](const Instance& instance) {

@@ -1,5 +1,5 @@
-// Glassbox as the benchmark runs it: what a program sets up once is set up once, then frames are
-// drawn.
+// Runs Glassbox for the benchmark: everything that a program has to set up only once is set up
+// once, then frames are drawn.
 #pragma once
 
 #include <memory>
@@ -47,11 +47,13 @@ private:
   std::vector<Rendering> drawn_;  // one per pass; the first one holds the colours of all passes
 };
 
-// The cost of the second eye: both eyes of an anaglyph in one run that shares their work, compared
-// with one eye's picture by the same engine. Medians of frames that are drawn alternately.
+// The cost of the second eye: draws both eyes of an anaglyph in one run that shares their work, and
+// compares this with one eye's picture by the same engine. The times are medians of frames; the two
+// kinds of frames are drawn alternately.
 struct StereoCost {
   double mono_ms = 0, shared_ms = 0;
-  // warped from one layer; absent where that is not possible
+  // the second picture if it is not drawn but warped from one layer of the first; absent if the
+  // scene cannot be warped
   std::optional<views::SecondEyeError> warped;
 };
 StereoCost stereo_cost(const BenchScene& bench, const EngineOptions& options, int frames);

@@ -24,7 +24,7 @@ struct PeerCommand {
 
 class PeerProcess {
 public:
-  // An error, in the peer's own words, if the peer cannot draw.
+  // Returns an error, in the peer's own words, if the peer cannot draw.
   static Result<std::unique_ptr<PeerProcess>> start(const PeerCommand& command);
   // Ends the process.
   ~PeerProcess();

@@ -86,7 +86,8 @@ ScalingPoint measure_step(const Step& step, const MeasureOptions& options) {
   return {step.x, quartiles(std::move(times)), peak_bytes()};
 }
 
-// Memory grows at most in proportion to x, and the fixed part of it does not grow at all.
+// Whether the next point fits into memory. It needs at most next_x / last.x times the memory of the
+// last point, because only a part of the memory grows with x.
 bool fits(const ScalingPoint& last, double next_x) {
   const double available = available_bytes();
   return available == 0 || last.peak_bytes * next_x / last.x < 0.8 * available;

@@ -22,7 +22,7 @@ struct ScalingPoint {
   double peak_bytes = 0;  // peak memory of the process, including the scene
 };
 
-// The growth from the first of two points to the second.
+// The values at the second of two points divided by the values at the first.
 struct GrowthRatios {
   double x = 0, ms = 0;
 };
@@ -31,11 +31,12 @@ struct Scaling {
   ScaledBy by = ScaledBy::kTriangles;
   std::string what;  // for example "an ellipsoid at 1920 x 1080"
   std::vector<ScalingPoint> points;
-  std::optional<GrowthRatios> ratios;  // only of two points
-  std::optional<PowerLaw> law;         // only of three points or more
+  std::optional<GrowthRatios> ratios;  // only if there are exactly two points
+  std::optional<PowerLaw> law;         // only if there are three points or more
   std::optional<Bend> bend;
-  std::optional<double> bytes_per_triangle;  // from the smallest number of triangles to the largest
-  std::string stopped;                       // why the series ends early; empty if it is complete
+  // memory for each additional triangle, from the smallest number of triangles to the largest
+  std::optional<double> bytes_per_triangle;
+  std::string stopped;  // why the series ends early; empty if it is complete
 };
 
 struct ScalingOptions {

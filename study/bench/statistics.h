@@ -17,12 +17,12 @@ struct Quartiles {
 };
 Quartiles quartiles(std::vector<double> values);
 
-// Whether `a` is faster for certain: seven eighths of its times are below seven eighths of the
-// times of `b`, so that three quarters of the times of each (between its octiles) do not overlap. A
-// core that is shared with another program has two speeds. If two works of 21 rounds are equally
-// fast, the probability that one meets the fast speed in 16 rounds or more and the other meets the
-// slow one as often is 0.013^2: with quartiles, one in several thousand such pairs would be ordered
-// wrongly, and a study has that many pairs. With 19 rounds of 21 it is one in 10^8.
+// Whether `a` is faster for certain: its last octile is below the first octile of `b`. Quartiles
+// would not be enough: a processor core that is shared with another program has two speeds. Suppose
+// that two equally fast works are timed 21 times each. If one of them runs at the fast speed 16
+// times or more and the other as often at the slow speed, quartiles put them into a wrong order.
+// The probability is 0.013^2, one in several thousand, and a study compares that many pairs. To
+// mislead octiles it must be 19 times of 21, with a probability of one in 10^8.
 inline bool is_faster(const Quartiles& a, const Quartiles& b) {
   return a.last_octile < b.first_octile;
 }
@@ -45,14 +45,16 @@ struct PowerLaw {
 inline constexpr std::size_t kLeastFitted = 3;
 PowerLaw fit_power_law(std::span<const Sample> samples);
 
-// Two power laws that meet at `at`, an x of the samples that belongs to both sides.
+// Two power laws, for the samples before and after the bend. The bend is at the sample with x =
+// `at`, which belongs to both sides.
 struct Bend {
   double at = 0;
   PowerLaw before, after;
 };
-// The bend with the least sum of squares; each side has three samples or more (x ascending), and
-// the sample at the bend counts on both. None if the exponents differ by less than 0.1, or if the
-// sum of squares is more than half of that of a single law.
+// Finds the bend with the least sum of squared residuals. The samples must be in ascending order of
+// x; each side of the bend has three samples or more, including the sample at the bend. Returns
+// nothing if the exponents differ by less than 0.1, or if the sum of squares is more than half of
+// that of a single power law.
 std::optional<Bend> find_bend(std::span<const Sample> samples);
 
 }  // namespace glassbox::study

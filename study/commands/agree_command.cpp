@@ -1,4 +1,5 @@
-// glassbox study agree ONE OTHER: checks whether two runs find the same configurations faster.
+// glassbox study agree ONE OTHER: checks whether two runs agree on which configurations are faster
+// than which.
 #include <string>
 
 #include <fmt/format.h>
@@ -33,11 +34,11 @@ void StudyAgreeCommand::add_to(CLI::App& study, int& exit_code) {
       "  glassbox study run --quick --json one.json\n"
       "  glassbox study run --quick --json other.json\n"
       "  glassbox study agree one.json other.json\n\n"
-      "A run states an order of two configurations if the middle three quarters of their times do "
-      "not\n"
-      "overlap. The exit code is 1 if the two runs state opposite orders.");
-  command.add_option("ONE", one_, "results of study run")->required();
-  command.add_option("OTHER", other_, "results of another run")->required();
+      "A run says that one configuration is faster than another if the middle three quarters of "
+      "their\n"
+      "times do not overlap. The exit code is 1 if the two runs say the opposite of a pair.");
+  command.add_option("ONE", one_, "the JSON file of a study run")->required();
+  command.add_option("OTHER", other_, "the JSON file of another run")->required();
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -49,8 +50,9 @@ int StudyAgreeCommand::run() const {
   const auto found = study::find_agreement(*one, *other);
   if (!found) return refuse(found.error());
   fmt::print(
-      "{} compared: both runs state {}, {} of them in opposite ways; {} stated by one run only\n",
-      counted(found->compared, "pair"), counted(found->by_both, "order"),
+      "{} compared: both runs say which one is faster for {}, the opposite for {} of them; one run "
+      "alone says it for {}\n",
+      counted(found->compared, "pair"), counted(found->by_both, "pair"),
       found->contradictions.size(), found->by_one);
   for (const std::string& each : found->contradictions) fmt::print("{}", wrapped("  ", each));
   return found->contradictions.empty() ? kSuccess : kFailure;

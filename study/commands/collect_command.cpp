@@ -1,4 +1,4 @@
-// glassbox study collect DIRECTORY: joins the parts of a run.
+// glassbox study collect DIRECTORY: joins the result files of a study that was measured in parts.
 #include <algorithm>
 #include <filesystem>
 #include <string>

@@ -13,7 +13,8 @@ inline constexpr CommandName kCommands[] = {
 
 void add_commands(CLI::App& app, int& exit_code);
 
-// add_commands calls these to add the subcommands of `study`. Each is in a source of its name.
+// add_commands calls these functions to add the subcommands of `study`. Each is in a source file of
+// its name.
 void add_run_command(CLI::App& study, int& exit_code);
 void add_collect_command(CLI::App& study, int& exit_code);
 void add_agree_command(CLI::App& study, int& exit_code);

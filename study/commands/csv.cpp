@@ -21,7 +21,8 @@ std::string comparison(const ConfigurationResult& result) {
   return fmt::format("{},{},{}", *result.predicted_error, check->ratio, check->finding ? 1 : 0);
 }
 
-// The fields of a line about time: threads, repetitions, times, standing.
+// The fields of a line about time: threads, repetitions, times, and whether the configuration is on
+// the Pareto front (its standing).
 std::string times(const Timing* timing, study::Standing standing) {
   if (timing == nullptr) return ",,,,,,untimed";
   return fmt::format("{},{},{},{},{},{},{}", timing->threads, timing->repetitions,

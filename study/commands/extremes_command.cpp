@@ -52,7 +52,7 @@ std::string sweep_names() {
   return names + "all";
 }
 
-// The numbers in an id: first and last are equal for "C-80", and 80 and 86 for "C-80 to C-86".
+// The numbers of the cases in an id: 80 and 80 for "C-80", 80 and 86 for "C-80 to C-86".
 std::pair<int, int> numbers_of(const std::string& id) {
   int first = -1, last = -1;
   const int found = std::sscanf(id.c_str(), "%*[Cc]-%d to C-%d", &first, &last);
@@ -74,8 +74,9 @@ tl::unexpected<Error> no_such_case(const std::string& id) {
 }  // namespace
 
 void StudyExtremesCommand::add_to(CLI::App& study, int& exit_code) {
-  CLI::App& command = *study.add_subcommand(
-      "extremes", "inputs that break pipelines, with our code, naive code and mutants");
+  CLI::App& command = *study.add_subcommand("extremes",
+                                            "inputs that break pipelines: with our code, naive "
+                                            "code, and mutants (our code with one fault)");
   command.footer(
       "Examples:\n"
       "  glassbox study extremes\n"
@@ -96,9 +97,10 @@ void StudyExtremesCommand::add_to(CLI::App& study, int& exit_code) {
       .add_option("-o", picture_directory_,
                   "write the pictures of the chosen cases into this directory")
       ->type_name("DIRECTORY");
-  add_html_output(command, html_output_,
-                  "the same as a page, with curves and pictures; with all sweeps if no case and no "
-                  "sweep is chosen");
+  add_html_output(
+      command, html_output_,
+      "the printed output as a page, with curves and pictures; with all sweeps if no case and no "
+      "sweep is chosen");
   add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });
 }

@@ -26,7 +26,7 @@ namespace {
 struct XY {
   double x, y;
 };
-constexpr XY kGap{NAN, NAN};  // separates two lines of one plot
+constexpr XY kGap{NAN, NAN};  // a point that separates two lines of one plot
 
 // A curve or a set of points: its data, and its style in gnuplot's words.
 struct Plot {
@@ -35,7 +35,8 @@ struct Plot {
   std::vector<XY> points;
 };
 
-// Colours of Okabe and Ito, and a shape for each series, the same as in the page.
+// The colours of Okabe and Ito's palette, and a shape for each series, the same as in the HTML
+// page.
 constexpr const char* kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                     "#e69f00", "#56b4e9", "#000000"};
 constexpr int kShapes[] = {7, 5, 9, 13, 3, 2, 15, 1};
@@ -99,8 +100,8 @@ private:
 
 struct Series {
   std::string name, scene;
-  std::size_t number = 0;  // index of the name among all names
-  bool first = true;       // the first of its name; the others share its entry in the legend
+  std::size_t number = 0;  // index of the series' name among all names
+  bool first = true;       // the first series of its name, which has the legend's entry
   std::vector<std::size_t> members;
 
   std::string title() const { return first ? name : std::string(); }
@@ -160,7 +161,8 @@ std::vector<double> errors_of(const ExperimentResult& result, bool predicted) {
   return errors;
 }
 
-// The Pareto fronts: the points of each front, one front per group of configurations that compete.
+// The Pareto fronts, one for each group of configurations that are compared with each other, as
+// lists of points.
 std::vector<std::vector<XY>> fronts_of(const ExperimentResult& result,
                                        const std::vector<Standing>& standing,
                                        const auto& place_of) {
@@ -210,7 +212,7 @@ std::string time_chart_commands(const ExperimentResult& result, const std::strin
       (standing[i] == Standing::kFront ? front : dominated)
           .points.push_back(place_of(result.configurations[i]));
     }
-    // Bars from the lower to the upper quartile.
+    // The error bars run from the lower to the upper quartile.
     Plot bars{"", fmt::format("with lines {} lw 1.5", colour_of(series.number)), {}};
     for (const std::size_t i : series.members) {
       const study::Timing* timing = timing_of(result.configurations[i], 1);
@@ -275,7 +277,7 @@ constexpr const char* kRemedy = "install it (apt install gnuplot-nox), or leave 
 
 constexpr ProcessLimits kChartLimits{.seconds = 300};  // a chart takes a second
 
-// Runs gnuplot and prints its messages on standard error, like this program's own.
+// Runs gnuplot and prints gnuplot's messages on standard error, like this program's own.
 ProcessOutcome run_gnuplot(const std::string& script) {
   ProcessOutcome outcome = run_process({"gnuplot", script}, kChartLimits);
   fmt::print(stderr, "{}", outcome.printed);
@@ -293,7 +295,7 @@ std::string stem_of(const std::string& directory, const std::string& id, std::si
   return directory + "/" + id + (measure == 0 ? "" : fmt::format("-{}", measure + 1));
 }
 
-// Draws into a temporary file first, so that a chart in the directory is complete or not there.
+// Draws into a temporary file first, so that the directory gets a complete chart or none.
 Result<void> draw(const fs::path& scratch,
                   std::string (*commands)(const study::ExperimentResult&, const std::string&),
                   const study::ExperimentResult& result, const std::string& target) {

@@ -18,8 +18,8 @@ namespace glassbox::study {
 
 namespace {
 
-// More rounds give steadier quartiles. The quick run uses the least number that the protocol
-// allows.
+// How often each configuration is timed: more repetitions give steadier quartiles. The quick run
+// uses the least number that the protocol allows.
 constexpr int kFullRepetitions = 21;
 
 Result<std::vector<const Experiment*>> choose_experiments(const std::vector<std::string>& ids) {
@@ -107,8 +107,8 @@ Result<study::StudyResults> select_results(const study::StudyResults& results,
   for (const Experiment* experiment : *chosen) {
     const study::ExperimentResult* found = study::find_result(results, experiment->id);
     if (found == nullptr) {
-      return fail("", "the results do not have " + experiment->id,
-                  "run study run with the same --resume first");
+      return fail("", "the results do not contain experiment " + experiment->id,
+                  "measure it with study run and --resume, or leave it out");
     }
     some.experiments.push_back(*found);
   }

@@ -26,7 +26,7 @@ void add_measuring_options(CLI::App& command, MeasuringOptions& options);
 // before anything is measured.
 Result<study::StudyResults> measure_experiments(const MeasuringOptions& options);
 
-// Those of the results that are named by `ids`. An error if one of them is missing.
+// The results of the experiments that `ids` names. An error if one of these is missing.
 Result<study::StudyResults> select_results(const study::StudyResults& results,
                                            const std::vector<std::string>& ids);
 

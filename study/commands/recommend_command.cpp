@@ -1,5 +1,5 @@
-// glassbox study recommend: finds the cheapest way to draw a scene that is accurate enough, and
-// shows the evidence.
+// glassbox study recommend: finds the fastest settings that draw a scene with small enough errors,
+// and shows the evidence.
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,7 +50,8 @@ void StudyRecommendCommand::add_to(CLI::App& study, int& exit_code) {
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command
       .add_option("--error-budget", budgets_,
-                  "limits of the errors: of position in px, of depth and colour as shares")
+                  "largest errors allowed: of position in px, of depth as a fraction of the "
+                  "distance, of colour as a fraction of 255 steps")
       ->type_name("LIMITS")
       ->required();
   const CLI::Option* size =

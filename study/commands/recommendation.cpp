@@ -21,14 +21,13 @@ namespace glassbox::study {
 
 namespace {
 
-// Candidates, and the way of drawing that belongs to each.
+// Candidates for one budget, with the settings that draw each of them.
 struct ComparedCandidates {
   Comparison comparison;
   std::vector<RenderVariant> variants;
 };
 
-// Measures candidates on one scene. The drawers and the reference picture are shared by all of
-// them.
+// Measures candidates on one scene. All of them share the renderers and the reference picture.
 class SceneMeasurement {
 public:
   SceneMeasurement(const Scene& scene, const PictureOptions& picture, Progress& progress)
@@ -107,7 +106,7 @@ private:
       const auto vertices = SceneVertices::sample(scene_, *view);
       if (!vertices) return tl::unexpected(vertices.error());
       all.comparison.error = fmt::format(
-          "largest error of the distance that is stored as depth, as a share of {}, over {} "
+          "largest error of the distance that is stored as depth, as a fraction of {}, over {} "
           "vertices",
           view->perspective ? "the distance" : "the depth of the view", vertices->count());
       all.comparison.candidates.push_back(
@@ -172,7 +171,7 @@ private:
     }
   }
 
-  // Times the candidates whose error is within the limit. The others cannot be recommended,
+  // Times the candidates whose error is within the limit. Other candidates cannot be recommended,
   // so their times are not needed.
   void add_times(ComparedCandidates& compared, double limit) {
     Comparison& comparison = compared.comparison;
@@ -192,8 +191,8 @@ private:
     for (std::size_t i = 0; i < times.size(); ++i) comparison.candidates[which[i]].ns = times[i].ns;
   }
 
-  // Adds the chosen candidate to the options that are recommended together; the most accurate one
-  // if none was chosen.
+  // Adds the chosen candidate to the options that are recommended together; if none was chosen, the
+  // most accurate candidate.
   void add_to_combined(const ComparedCandidates& compared, std::optional<std::size_t> chosen) {
     const auto& candidates = compared.comparison.candidates;
     const auto best = std::ranges::min_element(candidates, {}, &Candidate::error);

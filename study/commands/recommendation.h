@@ -17,19 +17,19 @@
 
 namespace glassbox::study {
 
-// A budget, all candidates for it, and the recommended one; none if no candidate is accurate
-// enough.
+// A budget, all candidates for it, and the recommended candidate; no recommended one if no
+// candidate is accurate enough.
 struct BudgetResult {
   study::Budget budget;
   study::Comparison comparison;
   std::optional<std::size_t> chosen;
 };
 
-// All recommended options together, in one picture.
+// All recommended options used together for one picture.
 struct CombinedOptions {
   std::vector<std::string> options;   // options of glassbox render
   study::Quartiles ns;                // time of a frame with one thread
-  std::optional<double> color_error;  // set if there is a budget for it
+  std::optional<double> color_error;  // set if there is a budget for colour errors
 };
 
 struct Recommendation {
@@ -42,14 +42,14 @@ struct Recommendation {
   bool meets_all() const;
 };
 
-// Measures only what the budgets need. `words` are the scene and the options that determine the
-// view.
+// Finds a recommendation for each budget and measures only what this needs. `words` are the scene
+// and the options that determine the view.
 Result<Recommendation> recommend(const Scene& scene, const PictureOptions& picture,
                                  const std::vector<study::Budget>& budgets,
                                  const std::vector<std::string>& words, Progress& progress);
 
 std::string recommendation_text(const Recommendation& recommendation);
-// The fields are described in docs/study.md.
+// The recommendation as JSON. docs/study.md describes the fields.
 nlohmann::ordered_json recommendation_json(const Recommendation& recommendation);
 
 }  // namespace glassbox::study

@@ -19,18 +19,20 @@ std::string origin_text(const study::Origin& origin);
 // A name with its unit, if there is one: "offset [m]", "w at the far end over w at the near end".
 std::string with_unit(const std::string& name, const std::string& unit);
 
-// The unit in which the shortest of the experiment's times has digits before the decimal point.
+// The largest unit in which the shortest of the experiment's times has digits before the decimal
+// point.
 TimeUnit time_unit(const study::ExperimentResult& result);
 
-// A line of column names, then a line for each configuration and number of threads (docs/study.md).
+// CSV: a line of column names, then a line for each configuration and number of threads
+// (docs/study.md).
 std::string study_csv(const study::StudyResults& results);
 
-// The commands that draw the chart and write it to the file `svg`.
+// The commands for gnuplot that draw the chart and write it to the file `svg`.
 std::string time_chart_commands(const study::ExperimentResult& result, const std::string& svg);
 std::string axis_chart_commands(const study::ExperimentResult& result, const std::string& svg);
 
-// Charts as SVG files, for papers and slides, which gnuplot draws.
-Result<void> check_gnuplot();  // an error where it is not there
+// Charts as SVG files, for papers and slides. They are drawn by gnuplot.
+Result<void> check_gnuplot();  // an error if gnuplot is not installed
 
 // Writes DIRECTORY/D-4-time.svg and D-4-axis.svg for each experiment, and D-4-2-time.svg and so on
 // for its further measures. Returns the number of files.

@@ -43,8 +43,9 @@ void StudyRunCommand::add_to(CLI::App& study, int& exit_code) {
       "  glassbox study run D-1 D-2 --json -\n"
       "  glassbox study run --part 2/8 --json parts/2.json\n\n"
       "Errors are the same in every run. Times are medians and quartiles of repetitions.\n"
-      "The exit code is 1 if an error is not within a factor of two of the theory, without an "
-      "explanation.");
+      "The exit code is 1 if a measured error is more than twice or less than half of what the "
+      "theory\n"
+      "predicts, and the experiment gives no reason for it.");
   add_measuring_options(command, measuring_);
   add_json_output(command, json_output_, "the results");
   command.add_option("--csv", csv_output_, "the results as comma-separated values")

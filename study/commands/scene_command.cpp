@@ -1,4 +1,4 @@
-// glassbox study scene: measures error against time for every way to draw the user's own scene.
+// glassbox study scene: measures the error and the time of every way to draw the user's own scene.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -40,8 +40,8 @@
 
 namespace glassbox::study {
 
-// The camera that was chosen for a scene as options, so that other levels of the scene are seen by
-// the same camera.
+// Writes the camera that was chosen for a scene as options, so that other levels of detail of the
+// scene are seen by the same camera.
 
 namespace {
 
@@ -81,7 +81,8 @@ PictureOptions pinned(PictureOptions picture, const Camera& camera) {
   return picture;
 }
 
-// The same as words: the given words without those about the camera, and the pinned camera's.
+// The options as words: the given words without those about the camera, and then words for the
+// camera of `pinned`.
 std::vector<std::string> pinned_words(const PictureOptions& given, const PictureOptions& pinned) {
   constexpr std::string_view kReplaced[] = {"--camera", "--eye",     "--look-at", "--up", "--fov",
                                             "--ortho",  "--frustum", "--near",    "--far"};
@@ -124,7 +125,7 @@ private:
   std::string scene_;
   PictureOptions picture_;
   bool quick_ = false;
-  int threads_ = 0;  // the largest number of threads; 0: all
+  int threads_ = 0;  // the largest number of threads to measure; 0: as many as the machine has
   std::optional<std::string> json_output_, csv_output_, page_;
 };
 
@@ -149,7 +150,7 @@ std::set<Knob> fixed_knobs(const std::vector<std::string>& words) {
 // The levels of detail of a built-in scene; empty for files, and for scenes without levels.
 struct Levels {
   int chosen = 0;
-  std::map<int, Scene> others;  // by level; these are powers of two
+  std::map<int, Scene> others;  // by level, which is a power of two
 };
 
 Result<Levels> levels_of(const std::string& word) {
@@ -229,7 +230,7 @@ SecondEyes StudySceneCommand::measure_second_eyes(const Scene& scene, Progress& 
   }
   eyes.pair = chosen->eyes.pair;
   const RenderSettings& settings = picture_.settings;
-  constexpr int kThreads = 1;  // like the other ways
+  constexpr int kThreads = 1;  // all other measurements use one thread too
   Renderer renderer(scene, settings.transfer, EngineKind::kTile, {.threads = kThreads});
   for (const int layers : {1, 2}) {
     const auto legal = views::check_second_eye(scene, settings, layers);
@@ -249,8 +250,8 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
   if (!chosen) return tl::unexpected(chosen.error());
   auto levels = levels_of(scene_);
   if (!levels) return tl::unexpected(levels.error());
-  // Each level would be framed slightly differently, so the camera of the asked level is used for
-  // all.
+  // Automatic framing would place the camera slightly differently for each level, so the camera of
+  // the level that the user named is used for all.
   const bool pin = !levels->others.empty() && !picture_.eyes.seen_by;
   const PictureOptions picture = pin ? pinned(picture_, chosen->camera) : picture_;
 

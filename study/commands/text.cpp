@@ -77,8 +77,8 @@ std::string table_of(const ExperimentResult& result) {
   return table(rows, 2);
 }
 
-// The explanation of a deviation from the theory, with the ratios that it covers; or a statement
-// that there is none.
+// The known reason why an error differs from the theory, with the ratios (measured to predicted)
+// that it explains; a statement if there is no reason for this ratio.
 std::string explanation_of(const study::ConfigurationResult& result) {
   std::string known;
   if (const auto& e = result.explanation) {
@@ -89,7 +89,7 @@ std::string explanation_of(const study::ConfigurationResult& result) {
          (known.empty() ? "" : ", by another ratio than the known reason explains: " + known);
 }
 
-// Each explanation once, with the number of configurations that it explains.
+// All explanations, each one once with the number of configurations that it explains.
 std::string findings_of(const ExperimentResult& result) {
   std::vector<std::pair<std::string, int>> told;
   for (const ConfigurationResult& each : result.configurations) {

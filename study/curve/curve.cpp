@@ -49,7 +49,8 @@ private:
     if (request_.phase) request_.phase(what);
   }
 
-  // Fails if the pictures would need too much memory, should each variant give a different one.
+  // Fails if the pictures would need too much memory in the case that every variant gives a
+  // different one.
   Result<void> check_memory(const std::vector<RenderVariant>& variants) {
     const auto view = renderer_cache_.view_of(variants.front());
     if (!view) return tl::unexpected(view.error());
@@ -126,7 +127,7 @@ private:
   }
 
   // Returns the variants whose picture differs from that of the first variant: only these are worth
-  // combining. A knob that never changes a byte is listed as left out.
+  // combining. A knob that never changes a byte is listed as skipped.
   std::vector<RenderVariant> visible_variants() {
     std::vector<RenderVariant> turns;
     std::set<Knob> shown;
@@ -203,7 +204,7 @@ private:
   RendererCache renderer_cache_;
   Curve curve_;
   std::vector<PictureError> errors_;  // one for each different picture
-  // those pictures as PNG, if they are not kept uncompressed
+  // The different pictures as PNG, if they are not kept uncompressed.
   std::vector<std::vector<std::byte>> packed_;
 };
 

@@ -28,9 +28,11 @@ struct CurveRequest {
   std::map<int, Scene> at_levels;  // the same scene at other levels, for the same view
   ViewOf view;
   VariantRequest variants;
-  bool combine = true;  // combine shading, filter and samples; otherwise each knob is turned alone
+  // True: also combines shading, filter and samples; false: changes only one option (knob) at a
+  // time.
+  bool combine = true;
   int repetitions = 0;
-  // Whether Curve::pictures are wanted; they may take most_bytes. Otherwise the pictures are kept
+  // Whether to fill Curve::pictures, which may take up to most_bytes. If not, the pictures are kept
   // as PNG, only to tell them apart.
   bool keep_pictures = true;
   double most_bytes = std::numeric_limits<double>::infinity();
@@ -39,13 +41,13 @@ struct CurveRequest {
 
 struct CurvePoint {
   RenderVariant variant;
-  std::size_t picture = 0;  // index of its picture among the different ones (Curve::pictures)
+  std::size_t picture = 0;  // index of its picture in Curve::pictures
   PictureError error;
   double depth_error = 0;  // see SceneVertices::depth_error
   Quartiles ns;            // per frame
   int disturbed = 0;       // number of disturbed repetitions (see timing.h)
-  // Compared with the other variants that use one thread. None for variants with several
-  // threads, whose times are measured by another clock.
+  // How the variant stands in error and time, compared with the other variants that use one thread.
+  // None for variants with several threads, whose times are measured by another clock.
   std::optional<Standing> standing;
 };
 
@@ -53,20 +55,21 @@ struct Curve {
   Image<Rgba8> reference;
   std::string reference_is;            // how the reference was drawn
   std::size_t different = 0;           // number of different pictures
-  std::vector<Image<Rgba8>> pictures;  // each different picture once; empty if they are not kept
+  std::vector<Image<Rgba8>> pictures;  // every different picture once; empty if not kept
   std::vector<CurvePoint> points;      // the first one is the picture as it was asked for
   std::vector<SkippedKnob> skipped;
-  // px: the largest position error of `vertices` vertices, compared with 50 digits
+  // The largest position error of `vertices` vertices in px, compared with positions computed with
+  // 50 digits.
   double position_error = 0;
   std::size_t vertices = 0;
   int repetitions = 0;
-  // Ways that change only the engine, and whose picture has other bytes all the same: errors of the
-  // program.
+  // Names of variants that change only the engine and yet give another picture, which is an error
+  // of the program.
   std::vector<std::string> faults;
 };
 
-// An error if the view is impossible, if nothing of the scene is visible in it, or if the pictures
-// need too much memory.
+// Returns an error if the view is impossible, if nothing of the scene is visible in it, or if the
+// pictures need too much memory.
 Result<Curve> measure_curve(const CurveRequest& request);
 
 }  // namespace glassbox::study

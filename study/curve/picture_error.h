@@ -6,14 +6,15 @@
 namespace glassbox::study {
 
 struct PictureError {
-  double rms = 0;    // over red, green and blue; 1 for the whole range of a byte
+  double rms = 0;    // root mean square over red, green and blue; 1 is the whole range of a byte
   int largest = 0;   // the largest error of a channel, in steps of a byte
-  double wrong = 0;  // the share of pixels with a channel that is off by more than kUnseenSteps
-  // the mean of FLIP, 0 to 1: the visible difference when one picture replaces the other
+  double wrong = 0;  // the fraction of pixels with a channel that is off by more than kUnseenSteps
+  // The mean of the metric FLIP, 0 to 1: how visible the difference is when one picture replaces
+  // the other.
   double flip = 0;
 };
 
-// Smaller differences are hardly visible beside an edge.
+// Differences of fewer steps of a byte are hardly visible beside an edge.
 inline constexpr int kUnseenSteps = 8;
 
 // Both pictures must have the same size and be opaque.

@@ -20,11 +20,11 @@ std::string_view name_of(Knob knob);  // for example "shading"
 
 struct RenderVariant {
   Knob knob = Knob::kNone;
-  // The options of `glassbox render` for this variant, beside those that all variants share, for
-  // example "--samples", "4". A level is part of the scene's name instead.
+  // The options of `glassbox render` for this variant, besides those that are the same for all
+  // variants, for example "--samples", "4". A level is part of the scene's name instead.
   std::vector<std::string> options;
   RenderSettings settings;
-  std::optional<TextureFilter> filter;  // absent: the filter of each sampler
+  std::optional<TextureFilter> filter;  // absent: each sampler has its own filter
   std::optional<int> level;  // level of a built-in scene; absent: the scene that was asked for
   EngineKind engine = EngineKind::kTile;
   TileOptions tile;  // one thread, unless the number of threads is what the variant changes

@@ -12,7 +12,7 @@ namespace glassbox::study {
 
 namespace {
 
-// Collects the variants of one scene in which a single knob is turned.
+// Collects the variants of one scene in which a single knob (an option of drawing) is changed.
 class VariantCollector {
 public:
   VariantCollector(const Scene& scene, const VariantRequest& asked) : scene_(scene), asked_(asked) {
@@ -134,7 +134,7 @@ private:
   RenderVariants found_;
 };
 
-// Combines two variants into one that turns the knobs of both.
+// Combines two variants into one that has the changes of both.
 RenderVariant combine(RenderVariant a, const RenderVariant& b) {
   if (a.knob == Knob::kNone) return b;
   a.options.insert(a.options.end(), b.options.begin(), b.options.end());

@@ -1,5 +1,5 @@
-// Lists the variants of drawing a scene: each knob turned alone, and shading, filter and samples
-// combined.
+// Lists the variants of drawing a scene: each knob (an option of drawing) changed alone, and
+// changes of shading, filter and samples combined.
 #pragma once
 
 #include <set>
@@ -14,14 +14,14 @@ namespace glassbox::study {
 struct VariantRequest {
   RenderSettings settings{};
   std::optional<TextureFilter> filter{};
-  std::set<Knob> fixed_knobs{};  // knobs that the user has set: they are not turned
+  std::set<Knob> fixed_knobs{};  // knobs that the user has set: no variant changes them
   bool cull_stage_fixed = false;
   std::vector<int> levels{};  // the other levels at which the scene is available
-  int threads = 1;            // the largest number
-  TileOptions tile{};         // used by all variants, except for what they turn
+  int threads = 1;            // the largest number of threads
+  TileOptions tile{};         // used by all variants, except for what each one changes
 };
 
-// A knob that is not turned, and the reason.
+// A knob that no variant changes, and the reason.
 struct SkippedKnob {
   Knob knob = Knob::kNone;
   std::string why;
@@ -32,10 +32,10 @@ struct RenderVariants {
   std::vector<SkippedKnob> skipped;
 };
 
-// The variants in which exactly one knob is turned.
+// The variants in which exactly one knob is changed.
 RenderVariants single_knob_variants(const Scene& scene, const VariantRequest& asked);
 
-// Every combination of two or three of the shading, filter and sample changes in `turns`.
+// Every combination of two or three of the changes of shading, filter and samples in `turns`.
 std::vector<RenderVariant> combined_variants(const std::vector<RenderVariant>& turns);
 
 }  // namespace glassbox::study

@@ -1,4 +1,4 @@
-// Draws a scene in its variants: all variants that need the same renderer share it.
+// Draws a scene in its variants; one renderer is used for all variants that need the same one.
 #pragma once
 
 #include <map>
@@ -21,7 +21,7 @@ public:
   // outlive this object.
   RendererCache(const Scene& scene, ViewOf view, const std::map<int, Scene>* at_levels = nullptr);
 
-  // An error if the variant's depth format does not allow the view.
+  // Returns an error if the variant's depth format does not allow the view.
   Result<View> view_of(const RenderVariant& variant);
   // The colours of the picture that a variant draws. Its view must exist.
   Image<Rgba8> draw(const RenderVariant& variant);
@@ -29,8 +29,8 @@ public:
   const Scene& scene_of(const RenderVariant& variant);
 
 private:
-  // What a renderer depends on: level, filter, engine, target, number of threads, whether a plan is
-  // used.
+  // What a renderer depends on: level, filter, engine, target, number of threads, and whether the
+  // renderer makes a plan.
   using Key = std::tuple<int, int, EngineKind, Target, int, bool>;
   Renderer& renderer_of(const RenderVariant& variant);
 

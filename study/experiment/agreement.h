@@ -15,10 +15,10 @@ namespace glassbox::study {
 struct Agreement {
   // pairs of competitors that both runs have timed with the same number of threads
   std::size_t compared = 0;
-  std::size_t by_both = 0;  // those of them that both runs order by is_faster()
+  std::size_t by_both = 0;  // pairs that both runs order by is_faster()
   std::size_t by_one = 0;
-  // pairs that both order, but differently: "D-4, 1 thread: a before b in the one, b before a in
-  // the other"
+  // pairs for which the two runs say the opposite, for example "D-4, 1 thread: a before b in the
+  // one, b before a in the other"
   std::vector<std::string> contradictions;
 };
 

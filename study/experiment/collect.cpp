@@ -19,7 +19,8 @@ tl::unexpected<Error> refused(const PartFile& part, const std::string& cause,
   return tl::unexpected(Error{part.path, "", cause, remedy});
 }
 
-// The part of an origin that must be the same in all parts.
+// Returns the origin (machine, compiler and so on) without the fields that may differ between the
+// parts of one run. With `any_machine` the machine may differ, too.
 Origin shared(Origin origin, bool any_machine) {
   origin.part = 1;
   if (any_machine) {
@@ -29,8 +30,8 @@ Origin shared(Origin origin, bool any_machine) {
   return origin;
 }
 
-// Each part has every N-th experiment: long experiments are neighbours, so this spreads them over
-// the parts.
+// Restores the order of the experiments. Part number k of N has every N-th experiment from number k
+// on: long experiments are neighbours in the list, so this spreads them over the parts.
 std::vector<ExperimentResult> in_order(const std::vector<const PartFile*>& parts) {
   std::vector<ExperimentResult> all;
   for (std::size_t round = 0;; ++round) {

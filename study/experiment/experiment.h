@@ -13,11 +13,11 @@
 
 namespace glassbox::study {
 
-// How much is measured: kQuick takes a sample of kFull that needs a tenth of its time.
+// How much is measured: kQuick measures a part of what kFull measures, in a tenth of the time.
 enum class Effort { kQuick, kFull };
 
-// Explains why a measured error differs from the predicted one by more than a factor of two, and
-// the range of the ratio that this reason covers. A ratio outside the range is not explained.
+// The reason why a measured error differs from the predicted one by more than a factor of two. It
+// is valid for ratios from `least` to `greatest`; a ratio outside this range is not explained.
 struct Finding {
   std::string why;
   double least = 0, greatest = 0;  // range of measured / predicted
@@ -74,7 +74,7 @@ struct Experiment {
   std::string axis_unit = {};  // empty: a ratio or a count
   bool logarithmic_axis = true;
   std::string error;            // what is measured: "largest error of u along a span"
-  std::string error_unit = {};  // "texel"; empty: a share or a ratio
+  std::string error_unit = {};  // "texel"; empty: a fraction or a ratio
   std::string reference;        // what the error is measured against: "the exact rational value"
   std::string theory;           // the formula of `predicted_error`, with its source
   std::string item;             // what the time is divided by: "pixel", "vertex", "frame"

@@ -22,7 +22,7 @@ struct ErrorAndTime {
   Quartiles ns;
 };
 
-// The standing of each competitor among all of them.
+// The standing of each competitor (whether it is on the Pareto front) if all of them compete.
 std::vector<Standing> standings(const std::vector<ErrorAndTime>& competitors);
 
 // Whether two configurations compete: same measure, same scene and, unless the axis is chosen, the
@@ -31,9 +31,9 @@ bool are_competitors(const ExperimentResult& experiment, const ConfigurationResu
                      const ConfigurationResult& b);
 
 // The standing of each configuration, by its times with this number of threads. Times are ordered
-// by is_faster(), so that another run on a busy machine gives the same standings; errors are exact.
-// A configuration whose error is NaN is dominated by every configuration that has a number as its
-// error and is not slower.
+// by is_faster(), so that another run on a busy machine gives the same standings; errors are
+// compared exactly. A configuration whose error is NaN is dominated by every configuration that has
+// a number as its error and is not slower.
 std::vector<Standing> standings(const ExperimentResult& experiment, int threads = 1);
 
 // Null if the configuration was not timed with this number of threads.

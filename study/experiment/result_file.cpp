@@ -22,7 +22,7 @@ tl::unexpected<Error> in_file(const std::string& path, Error error) {
   return tl::unexpected(std::move(error));
 }
 
-// Returns for example "the machine is 'A' there and 'B' here"; empty if both are the same.
+// Returns for example "the machine is 'A' in the file and 'B' now"; empty if both are the same.
 std::string difference(const char* what, const std::string& there, const std::string& here) {
   if (there == here) return {};
   return fmt::format("the {} is '{}' in the file and '{}' now", what, there, here);

@@ -17,7 +17,7 @@ Result<void> write_results(const std::string& path, const StudyResults& results)
 // results have another origin.
 Result<StudyResults> resume_results(const std::string& path, const Origin& origin);
 
-// Returns for example "the machine is 'A' there and 'B' here"; empty if both are the same.
+// Returns for example "the machine is 'A' in the file and 'B' now"; empty if both are the same.
 std::string first_difference(const Origin& there, const Origin& here);
 
 // Null if the results do not contain the experiment.

@@ -41,12 +41,12 @@ struct ExperimentResult {
 
 inline constexpr int kMostParts = 1000;
 
-// Where results come from. Results of different origins are not comparable: errors need the same
-// version, times need everything to be the same.
+// Where results come from. Errors can be compared between results of the same version, times only
+// between results whose origins are the same in all fields.
 struct Origin {
   std::string machine, compiler, flags, version;
   Effort effort = Effort::kQuick;
-  int threads = 1;                       // the largest number used
+  int threads = 1;                       // the largest number of threads used
   int part = 1, parts = 1;               // which part of the chosen experiments (study run --part)
   std::string target = {}, caches = {};  // see machine.h
 

@@ -79,8 +79,8 @@ std::string axis_of(const ExperimentResult& result, const ConfigurationResult& e
   return found == result.measures.end() ? result.axis : found->axis;
 }
 
-// A configuration of a measure that has no work of its own takes the times of the configuration
-// with the same series, scene and place on the same axis.
+// Copies times to configurations that have no work of their own: the times of the configuration
+// with the same series, the same scene and the same place on the same axis.
 void share_times(ExperimentResult& result) {
   const std::vector<ConfigurationResult> timed = result.configurations;
   for (ConfigurationResult& each : result.configurations) {

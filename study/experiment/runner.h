@@ -1,4 +1,4 @@
-// Runs an experiment: measures all errors, then times the work by the study's protocol.
+// Runs an experiment: measures all errors, then times the work as described in timing.h.
 #pragma once
 
 #include <functional>
@@ -9,19 +9,19 @@
 
 namespace glassbox::study {
 
-// With fewer repetitions, quartiles mean little.
+// With fewer repetitions than these, quartiles mean little.
 inline constexpr int kLeastRepetitions = 11;
 
 struct RunOptions {
   Effort effort = Effort::kQuick;
   int repetitions = kLeastRepetitions;
-  int threads = 1;  // the largest number
+  int threads = 1;  // the largest number of threads
   // called with a description of each step; may be empty
   std::function<void(const std::string&)> phase;
 };
 
-// Measures each error once, and the times with one thread; then, if the experiment can use them,
-// the times with all threads.
+// Measures each error once, and the times with one thread; then, if the experiment can use several
+// threads, the times with all threads.
 ExperimentResult run_experiment(const Experiment& experiment, const RunOptions& options);
 
 // Null if no experiment has this id; upper and lower case count as the same.

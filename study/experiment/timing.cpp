@@ -14,8 +14,8 @@ struct Seconds {
   double wall = 0, processor = 0;
 };
 
-// Measures the processor time of the whole process, because work of one thread may pass itself to
-// another thread and wait.
+// Measures the processor time of the whole process, because work may be done by another thread
+// while the thread that calls it waits.
 Seconds seconds_of(const std::function<void()>& work, int calls) {
   const double processor = processor_ms();  // read before the wall clock, because it takes longer
   const auto start = std::chrono::steady_clock::now();
@@ -33,7 +33,7 @@ int calls_a_sample(const std::function<void()>& work) {
   return int(std::clamp(std::ceil(kLeastSample / seconds), 1.0, kMostCalls));
 }
 
-// Tells whether the processor is slower than before.
+// Tells whether the processor is slower than at its best so far, by timing a fixed piece of work.
 class Reference {
 public:
   explicit Reference(const std::function<double()>& seconds) : seconds_(seconds) {}
@@ -49,11 +49,12 @@ private:
   double least_ = std::numeric_limits<double>::infinity();
 };
 
-// The samples of one work, in nanoseconds per item.
+// The times of one work, in nanoseconds per item.
 struct Samples {
   std::vector<double> steady, disturbed;
 
-  // Adds disturbed samples if there are not enough steady ones.
+  // Returns the statistics of `wanted` samples. Disturbed samples are added if there are not enough
+  // undisturbed ones.
   Timed finish(std::size_t wanted) {
     const std::size_t missing =
         std::min(wanted - std::min(wanted, steady.size()), disturbed.size());

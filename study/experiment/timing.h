@@ -20,15 +20,17 @@ struct TimedWork {
 
 struct Timed {
   Quartiles ns;  // per item
-  // The number of samples taken while the machine did something else, for which no other round gave
-  // a replacement.
+  // The number of samples that were taken while the machine did something else, and that had to be
+  // kept because there were not enough undisturbed samples in other rounds.
   int disturbed = 0;
 };
 
-// The processor time, in seconds, of 100,000 products that each depend on the one before.
+// The processor time, in seconds, of 100,000 multiplications, each with the result of the one
+// before.
 double seconds_of_products();
 
-// The functions that show whether the machine did something else.
+// The functions that show whether the machine did something else: the time of a fixed piece of
+// work, and the number of times that a thread was interrupted.
 struct Probes {
   std::function<double()> reference_seconds = seconds_of_products;
   std::function<long()> switches = involuntary_switches;
@@ -41,15 +43,16 @@ struct Probes {
 // With one thread, the time is processor time, which does not include the time that other programs
 // take. If the wall clock exceeds it by more than kMostWaiting, the thread had to wait and its
 // caches may have changed: the sample is disturbed. With several threads, the time is wall time; a
-// sample in which one of them was interrupted is disturbed, because the others may have waited for
-// it. In both cases a round is disturbed if the reference work takes more than kMostSlower times
-// its least time: then the processor itself was slower. Disturbed samples are replaced by
-// additional rounds, at most as many as the first ones.
+// sample in which one of the threads was interrupted is disturbed, because the other threads may
+// have waited for it. In both cases a round is disturbed if the reference work takes more than
+// kMostSlower times its least time: then the processor itself was slower. Disturbed samples are
+// replaced by samples of additional rounds; there are at most as many additional rounds as first
+// ones.
 std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions,
                                 const Probes& probes = {});
 
 inline constexpr double kLeastSample = 2e-4;  // seconds; reading a clock takes about 5e-8
-inline constexpr double kMostWaiting = 0.05;  // share of the sample
+inline constexpr double kMostWaiting = 0.05;  // fraction of the sample's time
 inline constexpr double kMostSlower = 1.1;
 
 }  // namespace glassbox::study

@@ -11,8 +11,8 @@
 
 namespace glassbox::study {
 
-// Each method takes vertices in its own number format, Input, and returns x, y, z and 1/w in it.
-// pixels() returns x and y as doubles, depth() returns z.
+// Each method takes vertices in its own number format, Input, and returns x, y, z and 1/w in that
+// format. pixels() returns x and y as doubles, depth() returns z.
 using Pixels = std::array<double, 2>;
 
 // ---- float: the pipeline's own stages ----
@@ -46,7 +46,8 @@ private:
   Transform<Clip, Eye, float> clip_from_eye_;
 };
 
-// Each of the three matrices is rounded to float.
+// Applies the three matrices (model, view, projection) one after the other; each is rounded to
+// float.
 class FloatStages : public ThreeMatrices {
 public:
   explicit FloatStages(const VertexScene& scene)
@@ -54,7 +55,7 @@ public:
                       projection_of(scene)) {}
 };
 
-// Each matrix is rounded to float, with the origin of the world moved to the eye: the eye is
+// Moves the origin of the world to the eye before the matrices are rounded to float: the eye is
 // subtracted in double, where the difference of two near numbers is exact.
 class CameraRelative : public ThreeMatrices {
 public:
@@ -68,7 +69,8 @@ inline Transform<Clip, Object> composed(const VertexScene& scene) {
          placed<World, Object>(scene.world_from_object, scene.object);
 }
 
-// One matrix, composed in double and rounded once, as `render` does it.
+// Multiplies the three matrices in double and rounds the product to float once, as the command
+// `render` does.
 class ComposedOnce : public FloatMethod {
 public:
   explicit ComposedOnce(const VertexScene& scene)
@@ -107,9 +109,9 @@ private:
 
 // ---- fixed point ----
 
-// 64-bit integers in units of 2^-32, with products and quotients in 128 bits. World positions are
-// stored in this form, and the eye is subtracted before the camera's rotation. There is no depth:
-// 1/w takes its place, in steps of 2^-32.
+// Uses 64-bit integers in units of 2^-32, with products and quotients in 128 bits. World positions
+// are stored in this form, and the eye is subtracted before the camera's rotation. This method
+// returns no depth z, only 1/w in steps of 2^-32.
 class Fixed32 {
 public:
   using Input = std::array<std::int64_t, 3>;
@@ -130,7 +132,8 @@ public:
     Input world = times(world_from_object_, p);
     for (std::size_t i = 0; i < 3; ++i) world[i] = (world[i] + object_[i]) - eye_[i];
     const Input eye = times(eye_from_world_, world);
-    // The focal length and the middle of the picture are whole numbers of pixels.
+    // The focal length and the middle of the picture are whole numbers of pixels, so they are not
+    // rounded.
     const auto pixels_from_middle = [&](std::int64_t across) {
       return std::int64_t(Wide(across) * Wide(kVertexSceneFocal) * kOne / -eye[2]);
     };

@@ -17,13 +17,13 @@ namespace glassbox::study {
 
 inline constexpr int kVertexSceneWidth = 1920, kVertexSceneHeight = 1080;
 inline constexpr double kVertexSceneDistance = 4;  // distance of the object's centre along the gaze
-// In px; it belongs to a vertical angle of view of 90 degrees.
+// The focal length in px, for a vertical angle of view of 90 degrees.
 inline constexpr double kVertexSceneFocal = kVertexSceneHeight / 2.0;
 
 struct VertexScene {
   exact::PythagoreanRotation world_from_object, eye_from_world;
   Vector<World, double> object, eye;  // exact positions of object and eye
-  // in the unit ball, multiples of 2^-20, so that floats hold them too
+  // in the unit ball; multiples of 2^-20, so that floats hold them exactly
   std::vector<Point<Object, double>> points;
   DepthPlanes planes;
 };
@@ -31,7 +31,8 @@ struct VertexScene {
 template <class Space>
 Vector<Space, double> random_direction(Random& random) {
   while (true) {
-    // Braces, because the arguments of a call in parentheses are evaluated in any order.
+    // The three random numbers must be drawn in this order on every compiler. Braces ensure it; the
+    // arguments of a call in parentheses are evaluated in any order.
     const Vector<Space, double> v{random.between(-1, 1), random.between(-1, 1),
                                   random.between(-1, 1)};
     const double squared = dot(v, v);
@@ -87,7 +88,7 @@ Transform<Target, Source> placed(const exact::PythagoreanRotation& rotation,
   return m;
 }
 
-// The matrix [R, -R e], computed as look_at does it.
+// The view matrix [R, -R e] for the camera's rotation R and the eye e, computed as look_at does it.
 inline Transform<Eye, World> view_of(const VertexScene& scene) {
   const glm::dvec3 moved = rounded(scene.eye_from_world) * to_glm(scene.eye);
   return placed<Eye, World>(scene.eye_from_world, Vector<Eye, double>(-moved));

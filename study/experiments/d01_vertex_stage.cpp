@@ -23,7 +23,8 @@ constexpr const char* kLargest = "largest error";
 constexpr const char* kPlanes = "near plane moved";
 constexpr const char* kDepth = "depth";
 
-// The picture's diagonal: a vertex with a larger error is simply wrong.
+// The length of the picture's diagonal in px. Errors are limited to it, because a vertex with a
+// larger error is simply in a wrong place.
 double diagonal() {
   return std::sqrt(square(kVertexSceneWidth) + square(kVertexSceneHeight));
 }
@@ -33,7 +34,8 @@ struct Errors {
   double depth = 0;             // root mean square, as a distance along the gaze
 };
 
-// A depth d = (1 - n/z) f/(f - n) changes with the distance z by n/z^2 f/(f - n) per unit.
+// Converts an error of the depth d to a distance along the gaze. d = (1 - n/z) f/(f - n) changes
+// with the distance z by n/z^2 f/(f - n) per unit (n and f: near and far plane).
 double distance_of_depth(double error, double distance, const DepthPlanes& planes) {
   return error * square(distance) / planes.near * (1 - planes.near / planes.far);
 }
@@ -69,55 +71,62 @@ Errors errors_of(double offset, const DepthPlanes& planes, int scenes) {
 
 // ---- the theory, all as root mean squares ----
 
-// Converts an error of each eye coordinate, in world units, to pixels: it has two axes, and is
-// scaled by focal length over distance.
+// Converts an error of each eye coordinate, in world units, to pixels: both x and y have this error
+// (a factor of sqrt 2), and the projection multiplies it by focal length / distance.
 double in_pixels(double in_eye) {
   return std::sqrt(2.0) * kVertexSceneFocal / kVertexSceneDistance * in_eye;
 }
 
-// The last addition of the viewport gives numbers near the middle of the picture, 512 .. 1023 px.
+// The rounding error of the viewport's last addition, for x and y together. It gives numbers near
+// the middle of the picture, 512 .. 1023 px, where floats have steps of 1024 u (u: the unit
+// roundoff).
 template <class T>
 double pixel_rounding() {
   return std::sqrt(2.0) * rms_of_step(1024 * double(unit_roundoff<T>));
 }
 
-// The float stages round numbers of size D, whose mean square is D^2/3 along each axis, 20/3 times
-// on the way to an eye coordinate: once each for the model's translation, its addition, the view's
-// entries, its products and its translation, and 2/3 + 1 for its two sums.
+// The error from numbers of size D (`offset`), whose mean square is D^2/3 along each axis. The
+// variance of an eye coordinate is that of 20/3 such rounding errors: one each for the model's
+// translation, its addition, the view's entries, its products and its translation, and 2/3 + 1 for
+// its two sums.
 double far_rounding_error(double offset) {
   return rms_rounding<float> * offset * std::sqrt(20.0 / 9);
 }
 
-// The error that remains if the origin is at the eye. The distance 4 takes the place of D, and the
-// view has no translation. Besides, the object's own coordinates (mean square 1/5 each in the unit
-// ball) have the roundings of the entries, of the products, and 5/3 times one of a sum.
+// The error that remains if the origin is at the eye. Now the rounded numbers have the size of the
+// distance, 4, in place of D, and the view has no translation: 17/3 rounding errors. The rounded
+// coordinates of the object (mean square 1/5 each in the unit ball) add 11/3 more: one for the
+// entries, one for the products and 5/3 for the sums.
 double near_rounding_error() {
   return rms_rounding<float> *
          std::sqrt(square(kVertexSceneDistance) / 3 * (17.0 / 3) + 0.2 * (11.0 / 3));
 }
 
-// A single matrix: the entries, products and sums of a row over the object, and the rounding of the
-// translation and of the result. These are of size 4 along the gaze and 0.7 across it; errors along
-// the gaze count as x/w = 0.18.
+// The error with a single matrix. For the object's coordinates, a row rounds its entries, products
+// and sums; besides, the translation and the result are rounded, which are of size 4 along the gaze
+// and 0.7 across it. An error along the gaze moves a point on the screen by 0.18 (x/w) of an equal
+// error across it.
 double composed_matrix_error(double roundoff_rms) {
   const double object = 0.2 * (11.0 / 3), across = 2 * 0.43,
                along = 2 * square(kVertexSceneDistance);
   return roundoff_rms * std::sqrt(object + across + square(0.18) * (object + along));
 }
 
-// Composing in double: R e and R T with their products and sums (8/3 rounding errors each), and
-// that of the result, all of size D.
+// The error of composing the matrix in double from R e and R T (R: the view's rotation, e: the eye,
+// T: the object's translation). Each has 8/3 rounding errors from its products and sums, and their
+// sum has one more: 19/3 in all, of size D (mean square D^2/3).
 double composition_error(double offset) {
   return rms_rounding<double> * offset * std::sqrt(19.0 / 9);
 }
 
-// Steps of 2^-32: 3.6 rounding errors of each world coordinate (the model's entries over the
-// object, the sum, two positions), then the view's entries over the distance, and its sum.
+// The error of fixed point with steps of 2^-32. Each world coordinate has 3.6 rounding errors (the
+// model's entries times the object, the sum, two positions); then come the view's entries times the
+// distance, and its sum.
 double fixed_point_error() {
   return rms_of_step(0x1p-32) * std::sqrt(3.6 + square(kVertexSceneDistance) + 1 + 1);
 }
 
-using Theory = double (*)(double offset);  // returns the root mean square
+using Theory = double (*)(double offset);  // predicts the root mean square of the error
 
 double predict_float(double offset) {
   const double in_eye =
@@ -142,30 +151,33 @@ double predict_fixed(double) {
   return in_pixels(fixed_point_error());
 }
 
-// Far from the origin, all points of a scene have the same error; near it, their errors are
-// independent. The largest of n distances with two normally distributed axes is rms sqrt(ln n),
-// where n is between the number of scenes and the number of their points.
+// Predicts the largest error. The largest of n distances with two normally distributed axes is
+// about rms sqrt(ln n). Far from the origin, all points of a scene have the same error, so n is the
+// number of scenes; near it, their errors are independent, so n is the number of points. The mean
+// of both logarithms is used.
 double expected_largest(double rms, int scenes) {
   const double few = std::log(scenes), many = std::log(scenes * kPointsPerScene);
   return std::min(diagonal(), rms * std::sqrt((few + many) / 2));
 }
 
-// ---- the theory of depth, as a distance along the gaze, at the object's ----
+// ---- the theory of depth errors, converted to distances along the gaze ----
 
-// The quotient is just below 1, so its steps are 2^-24 (double: 2^-53).
+// The rounding error of the quotient z/w, which is just below 1, so its steps are 2^-24 (double:
+// 2^-53).
 template <class T>
 double quotient_error(double near) {
   return square(kVertexSceneDistance) / near * rms_of_step(double(unit_roundoff<T>));
 }
-// A separate projection matrix adds the rounding errors of two entries, a product and a sum,
-// relative to the distance.
+// The rounding errors of a projection matrix that is applied after the view matrix: of two entries,
+// a product and a sum, each relative to a depth of about 1.
 double projection_error(double near) {
   return square(kVertexSceneDistance) / near * std::sqrt(4.0) * rms_rounding<float>;
 }
 double root_sum_square(double a, double b, double c) {
   return std::sqrt(square(a) + square(b) + square(c));
 }
-// z and w come from the same eye coordinate, so its error counts once.
+// z and w come from the same eye coordinate. So an error of this coordinate has the effect of a
+// slightly different distance, and is added only once.
 double predict_depth_float(double near) {
   const double eye = root_sum_square(far_rounding_error(1), near_rounding_error(), 0);
   return root_sum_square(eye, projection_error(near), quotient_error<float>(near));
@@ -174,8 +186,9 @@ double predict_depth_relative(double near) {
   return root_sum_square(near_rounding_error(), projection_error(near),
                          quotient_error<float>(near));
 }
-// z and w have independent errors, each from a row of the single matrix. Together they are sqrt(2)
-// of the error of a row, which causes z/n times as much along the gaze.
+// With a single matrix, z and w have independent errors, each from its own row, so z/w has sqrt(2)
+// times the error of one row. As a distance along the gaze, this is z/n times as much (n: near
+// plane).
 template <class T>
 double predict_depth_composed(double near) {
   const double row =
@@ -184,7 +197,8 @@ double predict_depth_composed(double near) {
                          quotient_error<T>(near), 0);
 }
 
-// The explanation for distances at which n/z is at most 8 units of the last place below 1.
+// The explanation for near planes n so close that the depth, 1 - n/z, is within 8 units of the last
+// place of 1.
 std::optional<Finding> few_depths(double near) {
   if (near / kVertexSceneDistance > 8 * 0x1p-24) return std::nullopt;
   return Finding{
@@ -195,8 +209,8 @@ std::optional<Finding> few_depths(double near) {
 
 // ---- the table ----
 
-constexpr double kFar = 100;  // for the rows in which the near plane is moved
-// 12 KiB of doubles fit into the first-level cache
+constexpr double kFar = 100;  // far plane of the scenes in which the near plane is moved
+// 512 points in double, 12 KiB, fit into the first-level cache
 constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;
 
 template <class Method>
@@ -210,7 +224,7 @@ std::function<void(int)> vertices_of(double offset, const DepthPlanes& planes) {
 struct Series {
   const char* name;
   Theory position;
-  double (*depth)(double near);  // null: no depth
+  double (*depth)(double near);  // null: the method has no depth
 };
 
 template <class Method>
@@ -280,12 +294,13 @@ Experiment d01_vertex_stage() {
           .reference = "50 digits, for the same rotations and positions",
           .theory =
               "rounding errors count as random, 0.42 u each (u = 2^-24 or 2^-53). Float: 0.63 u D "
-              "sqrt(2) F/z px for the focal length F and the distance z, at most the picture's "
-              "diagonal. Composed in double: 0.62 u D in the same formula. Relative to the camera, "
-              "and in fixed point after the eye is subtracted: independent of D. The last rounding "
-              "of a float in px adds 2.5e-5. The largest of n errors is sqrt(ln n) times as large. "
-              "The near and the far plane are in none of the rows that give x, y and w. Depth is "
-              "within n/z of 1: there a rounding error of 1 is worth z^2/n along the gaze, and "
+              "sqrt(2) F/z px for the distance D from the origin, the focal length F in px and the "
+              "distance z from the camera, at most the picture's diagonal. Composed in double: "
+              "0.62 u D in the same formula. Relative to the camera, and in fixed point after the "
+              "eye is subtracted: independent of D. The last rounding of a float in px adds "
+              "2.5e-5. The largest of n errors is sqrt(ln n) times as large. The near and the far "
+              "plane are in none of the rows that give x, y and w. Depth is within n/z of 1, where "
+              "n is the near plane: there a rounding error of 1 is worth z^2/n along the gaze, and "
               "rounding errors of z and w, if they come from one matrix, z/n each",
           .item = "vertex",
           .measures = {{kLargest, "largest distance from the right place on the screen", "px"},

@@ -1,5 +1,5 @@
-// Compares the number of subpixel bits: how fine the grid is to which vertices are rounded before
-// coverage is decided (D-2).
+// Compares numbers of subpixel bits, that is, grids of different fineness to which vertices are
+// rounded before coverage is decided (D-2).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace glassbox::study {
 namespace d02 {
 
 constexpr int kSide = 256;      // px; side of the square that contains all triangles
-constexpr int kExactBits = 20;  // vertices are multiples of 2^-20 px: 28 bits, edge functions 61
+constexpr int kExactBits = 20;  // vertices are multiples of 2^-20 px: 28 bits, edge functions: 61
 using Corner = std::array<std::int64_t, 2>;
 using Triangle = std::array<Corner, 3>;
 
@@ -70,15 +70,15 @@ double perimeter(const Triangle& t) {
 
 // ---- coverage of a triangle on a grid of 2^-bits px, in integers just wide enough ----
 
-// Rounds halves up, like the pipeline's own snapping.
+// Rounds to the grid of 2^-bits px, halves up, like the pipeline's own snapping.
 std::int64_t snapped(std::int64_t exact, int bits) {
   const int dropped = kExactBits - bits;
   return dropped == 0 ? exact : (exact + (std::int64_t(1) << (dropped - 1))) >> dropped;
 }
 
-// Coordinates count half grid steps, so that pixel centres are integers with 0 bits too. The edge
-// values of a square of 2^8 px then have 2 (8 + bits + 1) + 1 bits: 32-bit integers hold them up to
-// 6 subpixel bits.
+// Coordinates count half grid steps, so that pixel centres are integers even without subpixel bits.
+// The edge functions in a square of 2^8 px then have 2 (8 + bits + 1) + 1 bits: 32-bit integers
+// hold them up to 6 subpixel bits.
 template <class Int>
 class CoverageTest {
 public:
@@ -95,8 +95,9 @@ public:
       const auto &from = v[(k + 1) % 3], &to = v[(k + 2) % 3];
       const Int a = from[1] - to[1], b = to[0] - from[0];
       const bool owns_zero = a > 0 || (a == 0 && b > 0);
-      // The value at the centre of pixel (0, 0), minus one if points on the edge belong to the
-      // neighbour.
+      // The edge function at the centre of pixel (0, 0). If points on the edge belong to the
+      // neighbouring triangle, it is reduced by one, so that a value of 0 or more always means
+      // inside.
       const Int start = a * (pixel_ / 2 - from[0]) + b * (pixel_ / 2 - from[1]);
       start_[k] = owns_zero ? start : start - 1;
       step_x_[k] = a * pixel_, step_y_[k] = b * pixel_;
@@ -154,7 +155,7 @@ constexpr const char* kCrawl = "crawl";
 
 struct Changes {
   double flips = 0;  // pixels whose coverage changes by snapping, per pixel of boundary length
-  double lost = 0;   // 1 - IoU: the share of the union of the two coverages that is not in both
+  double lost = 0;   // 1 - IoU: the fraction of the union of both coverages that is not in both
 };
 
 Changes changes_of(const std::vector<Triangle>& triangles, int bits) {
@@ -185,9 +186,9 @@ double twice_area(const Triangle& t) {
 
 constexpr int kFrames = 64;
 
-// Moves the triangle slowly by 8 px and measures how far the middle of an edge leaves its path: the
-// sideways error of its snapped ends, minus the mean over the frames, because a constant error is
-// not visible as movement. Root mean square.
+// Moves each triangle slowly by 8 px and measures how far the midpoint of an edge is beside its
+// path, because the ends of the edge are snapped. The mean over the frames is subtracted, because a
+// constant error is not visible as movement. Returns the root mean square in px.
 double crawl(const std::vector<Triangle>& triangles, int bits) {
   Random random(3);
   const double step = std::ldexp(1.0, -bits), exact_step = std::ldexp(1.0, -kExactBits);
@@ -232,15 +233,18 @@ int cover_all(const std::vector<Triangle>& triangles, int bits) {
   return covered;
 }
 
-// Each end of an edge moves by up to half a step along x and along y, with a uniform distribution.
-// The sideways standard deviation is 2^-bits/sqrt(12) for every direction of the edge. Between the
-// ends, the weights of the two give the factor sqrt((1-t)^2 + t^2), whose mean over the edge is 1/2
-// + asinh(1)/(2 sqrt 2) = 0.8116. The pixels in the area that the edge sweeps change.
+// The expected number of changed pixels per pixel of boundary. Snapping moves each end of an edge
+// by up to half a step along x and along y, with a uniform distribution, so its sideways standard
+// deviation is 2^-bits/sqrt(12) for every direction of the edge. The point at the fraction t of the
+// edge moves by the mean of both ends with the weights 1 - t and t, which gives the factor
+// sqrt((1-t)^2 + t^2); its mean over the edge is 1/2 + asinh(1)/(2 sqrt 2) = 0.8116. The pixels in
+// the area that the edge sweeps change.
 double predict(int bits) {
   return kMeanOfNormal * rms_of_step(std::ldexp(1.0, -bits)) * 0.8116;
 }
 
-// predict() gives the changed pixels per pixel of boundary; the union grows by half of them.
+// predict() gives the changed pixels per pixel of boundary. Half of them are added by snapping, so
+// the union of both coverages is larger than the triangle by this half.
 double predict_lost(int bits, const std::vector<Triangle>& triangles) {
   double boundary = 0, area = 0;
   for (const Triangle& t : triangles) boundary += perimeter(t), area += twice_area(t) / 2;
@@ -248,7 +252,8 @@ double predict_lost(int bits, const std::vector<Triangle>& triangles) {
   return changed / (area + changed / 2);
 }
 
-// Both ends have independent sideways errors of 2^-bits/sqrt(12); the middle has half of their sum.
+// The two ends of an edge have independent sideways errors of 2^-bits/sqrt(12); its midpoint has
+// half of their sum.
 double predict_crawl(int bits) {
   return rms_of_step(std::ldexp(1.0, -bits)) / std::sqrt(2.0);
 }
@@ -314,10 +319,11 @@ Experiment d02_subpixel_bits() {
       .error_unit = "pixels per px",
       .reference = "the triangle before the snap, in exact integers",
       .theory =
-          "the area that an edge sweeps when its ends move: sqrt(2/pi) 2^-b/sqrt(12) * 0.812 = "
-          "0.187 * 2^-b per pixel of its length. As a share of the union of both coverages, it "
-          "follows from boundary and area. The middle of a gliding edge is off by half the sum of "
-          "the errors of its ends, 2^-b/sqrt(12) sideways each: 2^-b/sqrt(24)",
+          "the area that an edge sweeps when its ends move, with b subpixel bits: sqrt(2/pi) "
+          "2^-b/sqrt(12) * 0.812 = 0.187 * 2^-b per pixel of its length. As a fraction of the "
+          "union of both coverages, it follows from boundary and area. The middle of a gliding "
+          "edge is off by half the sum of the errors of its ends, 2^-b/sqrt(12) sideways each: "
+          "2^-b/sqrt(24)",
       .item = "triangle",
       .axis_is_chosen = true,
       .measures = {{kOverlap,

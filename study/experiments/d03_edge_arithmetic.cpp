@@ -15,7 +15,7 @@ namespace d03 {
 bool is_wrong(EdgeArithmetic arithmetic, const EdgeSample& s) {
   return covers_centre(arithmetic, s) != right_decision(s);
 }
-// Whether the triangles on both sides claim the pixel, or neither does.
+// Whether both triangles at the edge cover the pixel, or neither of them does.
 bool is_leak(EdgeArithmetic arithmetic, const EdgeSample& s) {
   return covers_centre(arithmetic, s) == covers_centre(arithmetic, s.reversed());
 }
@@ -31,10 +31,10 @@ double rate(Fault fault, EdgeArithmetic arithmetic, int width, int samples) {
 
 // ---- theory ----
 
-// Rounding errors of its products and sums change E. A centre is anywhere within half a pixel of
-// its edge along the minor axis; that range has 256 steps. So the decision is wrong for a share
-// E|error of E| / (major * 256) of the centres.
-// RoundingError returns E|error of E|, without the factor for the relative rms of a rounding error.
+// E is the edge function at a pixel centre. The centre is anywhere within half a pixel of its edge
+// along the minor axis, so E is anywhere in a range of 256 major. If rounding errors of products
+// and sums change E by e, its sign is wrong for a fraction |e| / (256 major) of the centres. A
+// RoundingError returns the mean of |e|, divided by the relative rms of a rounding error.
 using RoundingError = double (*)(const EdgeSample&);
 
 double product(const EdgeSample& s) {
@@ -50,14 +50,16 @@ double plane_error(const EdgeSample& s) {
   return kMeanOfNormal * std::sqrt(square(p) + square(q) + square(p - q) + square(ax) + square(by) +
                                    square(ax + by));
 }
-// A single rounding error is uniformly distributed, so its mean size is sqrt(3)/2 of its rms.
+// With a fused multiply-add, only one rounding error matters. It is uniformly distributed, so its
+// mean size is sqrt(3)/2 of its rms.
 double fma_error(const EdgeSample& s) {
   return std::sqrt(0.75) * std::abs(product(s));
 }
 double exact_error(const EdgeSample&) {
   return 0;
 }
-// The errors computed from the two ends are independent of each other.
+// The two triangles at an edge begin their computations at different ends of it, so their errors
+// are independent.
 double two_sided_difference_error(const EdgeSample& s) {
   return std::sqrt(square(difference_error(s)) + square(difference_error(s.reversed())));
 }
@@ -133,15 +135,16 @@ Experiment d03_edge_arithmetic() {
           "neither?",
       .axis = "width of the screen",
       .axis_unit = "px",
-      .error = "share of pixel centres within half a pixel of an edge that are decided wrongly",
+      .error = "fraction of pixel centres within half a pixel of an edge that are decided wrongly",
       .reference = "128-bit integers, vertices snapped to 1/256 px",
       .theory =
-          "E|error of the edge function| / (longer side of the edge * 1 px), with rounding errors "
-          "counted as random, 0.42 u each: two equal products in the difference form (0.048 u W on "
-          "average), one with FMA, and three products and three sums of the size of the screen in "
-          "the plane form. If the direction of the edge is reversed, the plane form only changes "
-          "its sign: it is wrong, but leaves no gap. Integers are exact, and so are doubles, which "
-          "have 53 bits for values of 50 bits",
+          "mean of |error of the edge function| / (longer side of the edge * 1 px), with rounding "
+          "errors counted as random, 0.42 u each (u = 2^-24): two equal products in the difference "
+          "form (0.048 u W on average, where W is the width of the screen), one with FMA, and "
+          "three products and three sums of the size of the screen in the plane form. If the "
+          "direction of the edge is reversed, the plane form only changes its sign: it is wrong, "
+          "but leaves no gap. Integers are exact, and so are doubles, which have 53 bits for "
+          "values of 50 bits",
       .item = "pixel",
       .configurations = configurations};
 }

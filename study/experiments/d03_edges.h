@@ -1,5 +1,5 @@
-// The edges of the edge-arithmetic experiment (D-3), and the ways to test a pixel centre against
-// one.
+// The edges of the edge-arithmetic experiment (D-3), and the ways to test a pixel centre against an
+// edge.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,8 @@ struct EdgeSample {
   EdgeSample reversed() const { return {to, from, x, y}; }
   std::int64_t dx() const { return to.x - from.x; }
   std::int64_t dy() const { return to.y - from.y; }
-  // The longer side of the edge's bounding box; |E| divided by it is the distance along the other
-  // axis.
+  // The longer side of the edge's bounding box. The edge function E divided by it is the distance
+  // from the edge along the other axis.
   std::int64_t major() const { return std::max(std::abs(dx()), std::abs(dy())); }
   // Points on top and left edges belong to the triangle, as in the pipeline.
   bool owns_zero() const { return dy() < 0 || (dy() == 0 && dx() > 0); }
@@ -63,7 +63,7 @@ bool covers(T edge, const EdgeSample& s) {
   return edge > 0 || (edge == 0 && s.owns_zero());
 }
 
-// Computed in 128 bits from the unchanged corners.
+// Whether the pixel is covered, computed in 128 bits from the unchanged corners.
 inline bool right_decision(const EdgeSample& s) {
   __extension__ using Wide = __int128;
   const Wide e = (Wide(s.to.x) - s.from.x) * (Wide(s.y) - s.from.y) -
@@ -73,12 +73,13 @@ inline bool right_decision(const EdgeSample& s) {
 
 // ---- the methods ----
 
-// E = dx (y - y0) - dy (x - x0), exact because the factors have 24 bits.
+// The edge function E = dx (y - y0) - dy (x - x0), exact because the factors have 24 bits.
 inline std::int64_t exact_edge(const EdgeSample& s) {
   return s.dx() * (s.y - s.from.y) - s.dy() * (s.x - s.from.x);
 }
 
-// All coordinates and their differences are exact in float.
+// The edge function in float. All coordinates and their differences are exact; only the products
+// and the last subtraction are rounded.
 inline float float_difference(const EdgeSample& s) {
   const float right = float(s.x) - float(s.from.x), down = float(s.y) - float(s.from.y);
   return float(s.dx()) * down - float(s.dy()) * right;
@@ -87,16 +88,18 @@ inline float float_fma(const EdgeSample& s) {
   const float right = float(s.x) - float(s.from.x), down = float(s.y) - float(s.from.y);
   return std::fma(-float(s.dy()), right, float(s.dx()) * down);
 }
-// If the ends are exchanged, only the sign of c = x0 y1 - x1 y0 changes.
+// The edge function as E = a x + b y + c. If the ends of the edge are exchanged, a, b and c = x0 y1
+// - x1 y0 only change their signs, so both triangles at the edge have the same |E|.
 template <class T>
 T plane(const EdgeSample& s) {
   const T a = -T(s.dy()), b = T(s.dx());
   const T c = T(s.from.x) * T(s.to.y) - T(s.to.x) * T(s.from.y);
   return (a * T(s.x) + b * T(s.y)) + c;
 }
-// Computed from the corner of the tile that contains the pixel. E - bias >= 0 if and only if its
-// quotient by 256, rounded down, is >= 0. Within a tile of 64 px next to the edge, that quotient is
-// less than 2 * 2^23 * 2^6 = 2^30.
+// Returns (E - bias)/256, rounded down, from its value at the corner of the tile that contains the
+// pixel. E is the edge function; bias is 1 if points on the edge belong to the neighbour, otherwise
+// 0. The result has the same sign as E - bias. In a tile of 64 px next to the edge it is less than
+// 2 * 2^23 * 2^6 = 2^30, so 32 bits are enough.
 inline std::int32_t int32_tile(const EdgeSample& s) {
   const std::int32_t tile = kEdgeTile * kSubpixels;
   const std::int32_t column = s.x % tile / kSubpixels, row = s.y % tile / kSubpixels;
@@ -126,7 +129,7 @@ inline bool covers_centre(EdgeArithmetic arithmetic, const EdgeSample& s) {
 
 // ---- what is timed ----
 
-// Triangles with a corner in a tile, which is anywhere on a screen of this width.
+// Triangles with a corner in a tile; the tile is anywhere on a screen of this width.
 inline std::vector<TileEdges> timed_triangles(int width, int count) {
   Random random(4);
   std::vector<TileEdges> triangles;

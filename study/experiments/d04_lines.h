@@ -20,8 +20,8 @@ namespace glassbox::study::d04 {
 
 using Lines = std::vector<PerspectiveLine>;
 
-// u at a place along the line, 0 .. 1. Computed in double, whose own error is 2^-29 of that of
-// float.
+// The texture coordinate u at the fraction `far` of the line, 0 .. 1. Computed in double, whose own
+// error is 2^-29 of that of float.
 inline double exact_coordinate(const PerspectiveLine& line, double far) {
   const double q0 = line.inverse_w0, q1 = line.inverse_w1;
   return ((1 - far) * (line.u0 * q0) + far * (line.u1 * q1)) / ((1 - far) * q0 + far * q1);
@@ -38,8 +38,9 @@ inline double largest_ratio(const Lines& lines) {
   return largest;
 }
 
-// u spans 256 texels along 256 pixels, one texel per pixel on average, shifted by a random offset
-// of the wall; w grows `ratio`-fold from one end to the other.
+// Lines across a wall. The texture coordinate u covers 256 texels along 256 pixels, one texel per
+// pixel on average, from a random offset of the wall on; w grows `ratio`-fold from one end of the
+// line to the other.
 inline Lines wall(double ratio, int count) {
   Random random(5);
   Lines lines;
@@ -67,9 +68,10 @@ inline PerspectiveLine at_its_level(double u0, double u1, double q0, double q1, 
   return {float(u0 * scale), float(u1 * scale), float(q0), float(q1), pixels};
 }
 
-// A floor 1.5 below the eye with a level gaze, a vertical angle of view of 45 degrees, 256 x 256
-// px, up to 60 away; u runs along the gaze with 64 texels per unit. It is rolled by 22.5 degrees:
-// without a roll, w is constant along each row and there is no error.
+// The rows of a picture of a floor. The eye looks along the floor, 1.5 units above it, and sees it
+// up to 60 units away; the vertical angle of view is 45 degrees, the picture has 256 x 256 px. u
+// runs along the gaze with 64 texels per unit. The camera is rolled by 22.5 degrees: without a
+// roll, w is constant along each row and there is no error.
 inline Lines rolled_floor() {
   constexpr double kHeight = 1.5, kFarthest = 60, kTexels = 64;
   const double focal = kLinePixels / 2.0 / tan_half_degrees(45);

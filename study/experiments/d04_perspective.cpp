@@ -21,7 +21,7 @@ namespace d04 {
 
 // ---- the methods ----
 
-struct Screen {  // 1/w and u/w at a place along the line, 0 .. 1
+struct Screen {  // 1/w and u/w at a fraction of the line, 0 .. 1
   float q, p;
 };
 Screen at(const PerspectiveLine& line, float far) {
@@ -30,7 +30,7 @@ Screen at(const PerspectiveLine& line, float far) {
           near * (line.u0 * line.inverse_w0) + far * (line.u1 * line.inverse_w1)};
 }
 
-// The length of a span in pixels; 0: the whole line.
+// The length of a span (from one division to the next) in pixels; 1: a division for each pixel.
 int span_of(Perspective method) {
   switch (method) {
     case Perspective::kEvery8:
@@ -46,7 +46,7 @@ int span_of(Perspective method) {
   }
 }
 
-// u at the centre of pixel x.
+// The texture coordinate u at the centre of pixel x.
 float by_pixel(Perspective method, const PerspectiveLine& line, int x) {
   const auto [q, p] = at(line, (float(x) + 0.5f) * (1.0f / float(line.pixels)));
   if (method == Perspective::kDivide) return p / q;
@@ -96,7 +96,8 @@ struct Predicted {
   double largest = 0, square = 0;
 };
 
-// u at the pixels' centres.
+// The largest |u| and the mean square of u at the pixels' centres, because errors are relative to
+// u.
 Predicted coordinates(const PerspectiveLine& line) {
   Predicted u;
   for (int x = 0; x < line.pixels; ++x) {
@@ -107,35 +108,39 @@ Predicted coordinates(const PerspectiveLine& line) {
   return u;
 }
 
-// In float, u/w is rounded as a product at the vertex and again when it is multiplied by its share;
-// 1/w has two products and a sum; the division (or product) is the last operation. This gives six
-// rounding errors of rms 0.42 u; the largest of a few hundred is about three times the rms.
+// In float, u/w is rounded as a product at the vertex and again when it is multiplied by its
+// weight; 1/w has two products and a sum; the division (or product) is the last operation. This
+// gives six rounding errors, each with an rms of 0.42 units roundoff; the largest of a few hundred
+// errors is about three times the rms.
 Predicted predict_roundings(const Predicted& u) {
   return {3 * std::sqrt(6.0) * rms_rounding<float> * u.largest,
           6 * square(rms_rounding<float>) * u.square};
 }
 
-// The errors of the table: within 2^-12 from the interval and within 2^-14 from rounding, both
-// uniformly distributed.
+// The error of a reciprocal from the table (reciprocal_table.h): up to 2^-12 because one entry
+// serves an interval, and up to 2^-14 because the entry is rounded. Both are uniformly distributed,
+// so their mean squares are a third of the squared bounds.
 Predicted predict_table(const Predicted& u) {
   return {kReciprocalError * u.largest, (square(0x1p-12) + square(0x1p-14)) / 3 * u.square};
 }
 
-// The error of Newton's step is always negative and is the square of the previous one: at most
-// 2^-24, with 1/5 of its square as the mean fourth power.
+// After a step of Newton's method, the relative error is the square of the previous one and always
+// negative: at most 2^-24. For a uniformly distributed error, the mean fourth power is 1/5 of the
+// largest.
 Predicted predict_newton(const Predicted& u) {
   return {square(kReciprocalError) * u.largest, square(0x1p-24) / 5 * u.square};
 }
 
 // Linear interpolation over a span in which 1/w changes by the factor r, and u by du, has the error
-// |du| (t - t/(t + (1 - t) r)). Its largest value is |du| (sqrt r - 1)/(sqrt r + 1); the mean
-// square is its integral, with a = r - 1. Near r = 1 it is a parabola.
+// |du| (t - t/(t + (1 - t) r)) at the fraction t of the span. Its largest value is |du| (sqrt r -
+// 1)/(sqrt r + 1); its mean square is the integral of its square over t, with a = r - 1. For r near
+// 1 the error is nearly a parabola in t.
 Predicted predict_span(double ratio, double du) {
   const double r = std::max(ratio, 1 / ratio), a = r - 1;
   const double largest = std::abs(du) * (std::sqrt(r) - 1) / (std::sqrt(r) + 1);
   if (a < 0.05) return {largest, square(largest) * 8 / 15};
   const double a3 = a * a * a;
-  // the integral of t times the other term
+  // the integral of t times t/(t + (1 - t) r)
   const double product = r * r * std::log(r) / a3 - r / (a * a) - 1 / (2 * a);
   const double other = (r * r - 1 - 2 * r * std::log(r)) / a3;
   return {largest, square(du) * (1.0 / 3 - 2 * product + other)};

@@ -45,8 +45,7 @@ bool is_root(Reciprocal method) {
   return method >= Reciprocal::kRootDivide;
 }
 
-// Random values of w in one decade. Their distribution is uniform neither on a linear nor on a
-// logarithmic scale, because the bits are random.
+// Random values of w in one decade, uniformly distributed between `from` and 10 times `from`.
 std::vector<float> decade(double from, int count) {
   Random random(6);
   std::vector<float> w;
@@ -57,8 +56,7 @@ std::vector<float> decade(double from, int count) {
 // Where the approximation before a Newton step comes from.
 enum class ApproximationSource { kTable, kProcessor };
 
-// The double precision of this computation has an error of only 2^-29 of the smallest error that is
-// measured.
+// Computed in double, whose rounding errors are only 2^-29 of the smallest error that is measured.
 double relative_error(Reciprocal method, float w, float found) {
   const double x = is_root(method) ? std::sqrt(double(w)) : double(w);
   return std::abs(double(found) * x - 1);
@@ -78,9 +76,9 @@ double largest_error(Reciprocal method, ApproximationSource source, double from,
   return largest;
 }
 
-// The error bound of an approximation. Processors guarantee 2^-14 with AVX-512, 1.5 * 2^-12 on
-// earlier x86 (Intel's manual, RCP14PS and RCPPS), and 2^-8 with NEON, whose first estimate has 8
-// bits.
+// The bound for the relative error of an approximation. Processors guarantee 2^-14 with AVX-512,
+// 1.5 * 2^-12 on earlier x86 (Intel's manual, RCP14PS and RCPPS), and 2^-8 with NEON, whose first
+// estimate has 8 bits.
 double error_of_approximation(ApproximationSource source, bool root) {
   if (source == ApproximationSource::kTable) return root ? kReciprocalRootError : kReciprocalError;
   switch (best_target()) {
@@ -89,7 +87,7 @@ double error_of_approximation(ApproximationSource source, bool root) {
     case Target::kNeon:
       return 0x1p-8;
     case Target::kScalar:
-      return unit_roundoff<float>;  // a division
+      return unit_roundoff<float>;  // the scalar code divides
     default:
       return 1.5 * 0x1p-12;
   }
@@ -97,7 +95,7 @@ double error_of_approximation(ApproximationSource source, bool root) {
 
 double predict(Reciprocal method, ApproximationSource source) {
   const double u = unit_roundoff<float>;
-  constexpr double kMagicError = 0.0343758;  // Lomont 2003, for the line nearest to the logarithm
+  constexpr double kMagicError = 0.0343758;  // largest relative error, Lomont 2003
   const double first = error_of_approximation(source, is_root(method));
   switch (method) {
     case Reciprocal::kDivide:
@@ -105,13 +103,13 @@ double predict(Reciprocal method, ApproximationSource source) {
     case Reciprocal::kApproximate:
     case Reciprocal::kRootApproximate:
       return first;
-    case Reciprocal::kNewton:  // w x and the last product are rounded; 2 - w x is exact
+    case Reciprocal::kNewton:  // rounds w x and the last product; 2 - w x is exact
       return square(first) + 2 * u;
     case Reciprocal::
-        // half of the root's error, which is fully passed on, and that of the division
+        // the rounding error of the root, which the division passes on in full, and its own
         kRootDivide:
       return 2 * u;
-    case Reciprocal::kRootNewton:  // two products of about 1/2, the difference and the last product
+    case Reciprocal::kRootNewton:  // rounds two products of about 1/2, a difference, a product
       return 1.5 * square(first) + 3 * u;
     case Reciprocal::kMagic:
       return kMagicError;
@@ -126,7 +124,8 @@ struct Series {
   ApproximationSource source;
   const char* name;
 };
-// Table values are the same on every machine; the time is that of the processor's own instruction.
+// A method with a table has the same values on every machine; its time is measured with the
+// processor's own instruction.
 constexpr Series kSeries[] = {
     {Reciprocal::kDivide, ApproximationSource::kProcessor, "division"},
     {Reciprocal::kApproximate, ApproximationSource::kProcessor, "approximate"},
@@ -142,8 +141,8 @@ constexpr Series kSeries[] = {
     {Reciprocal::kMagicNewton, ApproximationSource::kProcessor, "0x5f3759df and a Newton step"},
 };
 
-// A processor keeps its guarantee and may be better, by four bits at most; with a larger
-// difference, another instruction would have been timed.
+// A processor may be more accurate than its guarantee, by up to four bits. With a larger
+// difference, another instruction than the approximation must have been measured.
 std::optional<Finding> better_than_promised(ApproximationSource source) {
   if (source == ApproximationSource::kTable) return std::nullopt;
   return Finding{"the processor is more accurate than its maker promises", 1.0 / 16, 0.5};
@@ -151,9 +150,9 @@ std::optional<Finding> better_than_promised(ApproximationSource source) {
 
 constexpr int kTimed = 1 << 11;
 
-// 16 KiB for input and output fit into the first-level cache. A load waits for an earlier store
-// whose address ends in the same 12 bits, so the place in memory would influence the time: here the
-// two arrays begin half of 4096 bytes apart.
+// The input and output of 16 KiB fit into the first-level cache. A load waits for an earlier store
+// whose address ends in the same 12 bits, so times would depend on the place in memory. Here the
+// two arrays begin half of 4096 bytes apart, so no load has to wait.
 struct TimedMemory {
   explicit TimedMemory(double from) { std::ranges::copy(decade(from, kTimed), w.begin()); }
 
@@ -163,7 +162,7 @@ struct TimedMemory {
 };
 
 std::vector<Configuration> configurations(Effort effort) {
-  const int count = effort == Effort::kFull ? 1'000'000 : 100'032;  // whole vectors
+  const int count = effort == Effort::kFull ? 1'000'000 : 100'032;  // whole numbers of vectors
   constexpr int kRounds = 800;
   std::vector<Configuration> all;
   for (const Series& series : kSeries) {

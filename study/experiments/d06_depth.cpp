@@ -22,7 +22,7 @@ namespace glassbox::study {
 
 namespace d06 {
 
-// ---- the ladder ----
+// ---- the ladder: consecutive float distances whose codes should be in order ----
 
 double error_on_ladder(const Format& format, double z, int count) {
   const Placement place(format, {});
@@ -48,8 +48,8 @@ struct Pixel {
 
 using EyeTriangle = std::array<Point<Eye>, 3>;
 
-// The distance of the snapped triangle at the pixel's centre, in double: within 2^-50 of the exact
-// one.
+// The distance of the snapped triangle at the pixel's centre, in double: the relative error is
+// below 2^-50.
 double exact_distance(const EyeTriangle& triangle, const TriangleSetup& setup,
                       const Coverage& pixel) {
   double inverse = 0;
@@ -59,7 +59,8 @@ double exact_distance(const EyeTriangle& triangle, const TriangleSetup& setup,
   return 1 / inverse;
 }
 
-// The largest relative distance between the surface that is shown and the one that should be.
+// The largest distance between the surface that a pixel shows and the one that it should show,
+// relative to the distance from the eye.
 double picture_error(const Format& format, const std::vector<EyeTriangle>& triangles) {
   const Placement place(format, {0, 0, kSide, kSide});
   Image<Pixel> picture(kSide, kSide);
@@ -83,8 +84,9 @@ double picture_error(const Format& format, const std::vector<EyeTriangle>& trian
   return largest;
 }
 
-// Adds a quad of the plane that leans away to the right, from direction (x0, y0) to (x1, y1), moved
-// nearer by the share `closer` of its distance, and cut along one diagonal or the other.
+// Adds a quad of a plane that leans away to the right. It is seen from direction (x0, y0) to (x1,
+// y1), is moved nearer by the fraction `closer` of its distance, and is divided along one diagonal
+// or the other.
 void add_leaning_quad(double z, double x0, double y0, double x1, double y1, double closer,
                       bool other_diagonal, std::vector<EyeTriangle>& triangles) {
   const auto corner = [&](double x, double y) {
@@ -114,8 +116,8 @@ std::vector<EyeTriangle> decals(double z) {
   return triangles;
 }
 
-// Boxes at distances from 2 to 2000, each with a sign between a millimetre and a metre in front of
-// its front face.
+// Boxes at distances from 2 to 2000 units; each has a signboard in front of its front face, from a
+// thousandth of a unit to one unit nearer.
 std::vector<EyeTriangle> city() {
   std::vector<EyeTriangle> triangles;
   const auto quad = [&](const Point<Eye>& a, const Point<Eye>& b, const Point<Eye>& c,
@@ -211,11 +213,11 @@ Experiment d06_depth() {
       .reference =
           "the order of the floats on the ladder; in pictures, distances interpolated in double",
       .theory =
-          "B.3 in docs/references.md. Codes of b bits: z (1/n - 1/f) 2^-b, reversed or not. Float "
-          "with depth near 1: the same with 2^-24. Reversed float: 2^-23 everywhere. Reversed by "
-          "way of [-1, 1]: the step below -1, 2^-25. Linear w: (f - n) 2^-b/z. Logarithmic: "
-          "ln(f/n) 2^-b. It is never finer than positions as floats, 2^-23, and never beyond the "
-          "far plane.",
+          "B.3 in docs/references.md, with the near plane n and the far plane f. Codes of b bits: "
+          "z (1/n - 1/f) 2^-b, reversed or not. Float with depth near 1: the same with 2^-24. "
+          "Reversed float: 2^-23 everywhere. Reversed by way of [-1, 1]: the step below -1, 2^-25. "
+          "Linear w: (f - n) 2^-b/z. Logarithmic: ln(f/n) 2^-b. It is never finer than positions "
+          "as floats, 2^-23, and never beyond the far plane.",
       .item = "fragment",
       .configurations = configurations,
   };

@@ -76,9 +76,9 @@ private:
   Transform<ClipGl, Eye, float> gl_;
 };
 
-// log2 with IEEE operations in a fixed order, so that errors are the same on every machine: x = 2^e
-// m with m near 1, and ln m = 2 artanh((m - 1)/(m + 1)), whose series ends where its terms are
-// below 2^-48.
+// log2 with IEEE operations in a fixed order, so that errors are the same on every machine. x = 2^e
+// m with m near 1, and ln m = 2 artanh((m - 1)/(m + 1)); the series of artanh is cut off where its
+// terms are below 2^-48.
 inline double log2_of(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x) - 0x3f3504f3u;  // the bits of sqrt(1/2)
   const int exponent = int(std::int32_t(bits) >> 23);
@@ -89,7 +89,7 @@ inline double log2_of(float x) {
   return exponent + 2 * t * sum * 1.442695040888963407360;
 }
 
-// The smaller code is nearer.
+// The number that is stored for a depth. The nearer of two surfaces has the smaller code.
 inline std::uint32_t code_of(const Format& format, float depth, float w) {
   float value = depth;
   if (format.mapping == Mapping::kLogarithmic) {
@@ -112,10 +112,10 @@ inline double ulp(double x) {
   return std::ldexp(1.0, std::ilogb(x) - 23);
 }
 
-// The largest step of the depth format, converted to a relative distance (B.3).
+// The largest step of the depth format at the distance z, converted to a relative distance (B.3).
 inline double step_law(const Format& format, double z) {
   const double step = std::ldexp(1.0, -format.bits), inverse_far = 1 / format.far;
-  // (dz/z) / d(depth), for standard and reversed depth
+  // the relative change of the distance z per change of depth, (dz/z) / d(depth)
   const double standard = z * (1 / kNear - inverse_far);
   const double depth = (1 / kNear - 1 / z) / (1 / kNear - inverse_far);
   switch (format.mapping) {
@@ -134,8 +134,8 @@ inline double step_law(const Format& format, double z) {
   return 0;
 }
 
-// A step s of 1/z goes from z to z/(1 - s). Positions themselves are floats, and nothing is beyond
-// the far plane.
+// Standard and reversed depth follow 1/z, and a relative step s of 1/z goes from z to z/(1 - s). No
+// step is smaller than 2^-23, because positions are floats, and nothing is beyond the far plane.
 inline double predicted_at(const Format& format, double z) {
   double law = std::max(step_law(format, z), 0x1p-23);
   const bool of_inverse =
@@ -144,8 +144,8 @@ inline double predicted_at(const Format& format, double z) {
   return std::min(law, (kFar - z) / z);
 }
 
-// In a picture, w is computed from the interpolated 1/w: two fragments with the same w may differ
-// by a few rounding errors.
+// In a picture, w is computed from the interpolated 1/w: where depth is computed from w, two
+// fragments at the same distance may differ by a few rounding errors.
 inline double predicted_in_picture(const Format& format, double z) {
   const bool from_w = format.mapping == Mapping::kLinear || format.mapping == Mapping::kLogarithmic;
   return std::max(predicted_at(format, z), from_w ? 0x1p-22 : 0.0);
@@ -161,8 +161,9 @@ inline std::optional<Finding> finding_on_ladder(const Format& format) {
       2, 2.5};
 }
 
-// The mean of three equal rounding errors has 1/sqrt(3) of the size of one, and it is twice as
-// small where two of the three are often the same.
+// The mean of three independent rounding errors of the same size is 1/sqrt(3) times as large as one
+// of them. Two triangles often have the same errors at some corners, so the difference between
+// their depths may be smaller by another factor of 2.
 inline std::optional<Finding> finding_in_picture(const Format& format) {
   if (format.bits != 32 || (format.mapping == Mapping::kReversed && format.remap == Remap::kNone))
     return {};

@@ -1,5 +1,5 @@
 // The ladder of the depth-format experiment (D-6): points on the axis at consecutive float
-// distances, whose codes are checked for order; and the fragments that are timed.
+// distances (the rungs), whose codes should be in the same order; and the fragments for the timing.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace glassbox::study::d06 {
 
-// Distances from z to z (1 + window), ascending, at most `count` of them.
+// Returns the float distances from z to z (1 + window), ascending, at most `count` of them.
 inline std::vector<float> rungs(double z, double window, int count) {
   std::vector<float> all;
   for (int i = 0; i < count; ++i) {
@@ -26,16 +26,18 @@ inline std::vector<float> rungs(double z, double window, int count) {
   return all;
 }
 
-// The largest relative distance of two rungs whose codes are equal or in the wrong order, where the
-// nearer one is in the first quarter.
+// The largest relative distance of two rungs (float distances) whose codes are equal or in the
+// wrong order. The nearer rung is in the first quarter of the list, so that the list does not end
+// before the farther one.
 inline double largest_confusion(const std::vector<float>& rungs,
                                 const std::vector<std::uint32_t>& codes) {
   std::vector<std::uint32_t> least(rungs.size());  // the least code from each rung on
   std::uint32_t running = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t i = rungs.size(); i-- > 0;) least[i] = running = std::min(running, codes[i]);
   double largest = 0;
-  // The greatest code so far. A rung whose code is not greater cannot have a larger confusion than
-  // the earlier rung with that code.
+  // The greatest code so far. A rung (a distance) whose code is not greater is nearer to all
+  // farther rungs than the earlier rung with that code, so its confusions are not larger and it is
+  // skipped.
   std::uint32_t greatest = 0;
   std::size_t j = 0;
   for (std::size_t i = 0; i < rungs.size() / 4 + 1; ++i) {
@@ -48,9 +50,10 @@ inline double largest_confusion(const std::vector<float>& rungs,
   return largest;
 }
 
-// Uses the smallest window from z on, a power of two, that is many times larger than the largest
-// confusion; four times is enough if the confusion is so large that the law changes within the
-// window. `codes_of` returns the codes of a list of distances.
+// Tests the distances in a window from z to z (1 + window). The window is doubled until it is 64
+// times larger than the largest distance over which codes are confused. For windows of 2^-6 and
+// more, 4 times is enough, because the steps of the format change within such a window. `codes_of`
+// returns the codes of a list of distances.
 template <class CodesOf>
 double ladder_error(const CodesOf& codes_of, double z, int count) {
   for (double window = 0x1p-18;; window *= 2) {
@@ -58,7 +61,8 @@ double ladder_error(const CodesOf& codes_of, double z, int count) {
     const double largest = largest_confusion(all, codes_of(all));
     const bool at_far = z * (1 + window) > kFar;
     if (at_far || largest * (window < 0x1p-6 ? 64 : 4) < window) {
-      // Neighbours with different codes are one rung apart: no format can do better.
+      // If all codes are different and in order, the result is the distance of two neighbouring
+      // floats: no format can do better.
       return std::max(largest, (double(all[1]) - double(all[0])) / z);
     }
   }

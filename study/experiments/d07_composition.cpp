@@ -15,7 +15,7 @@ namespace d07 {
 
 // ---- the methods ----
 
-// One matrix, composed in double and rounded once.
+// Multiplies view and projection to one matrix in double, which is rounded to float once.
 class Composed {
 public:
   Composed(const Field& field, Depth depth)
@@ -26,7 +26,8 @@ private:
   Transform<Clip, World, float> clip_from_world_;
 };
 
-// Two matrices, each rounded: the errors of the view are the same in z and w.
+// Keeps view and projection as two matrices, each rounded to float. z and w are computed from the
+// same eye coordinates, so the errors of the view affect both in the same way.
 class Separate {
 public:
   Separate(const Field& field, Depth depth)
@@ -41,7 +42,8 @@ private:
   Transform<Clip, Eye, float> clip_from_eye_;
 };
 
-// Subtracts the eye first, which is exact here; then only the camera's rotation is left.
+// Subtracts the eye first, which is exact here (all numbers are multiples of 1/8); then only the
+// camera's rotation is left.
 class EyeFirst {
 public:
   EyeFirst(const Field& field, Depth depth)
@@ -77,19 +79,22 @@ double rms_error(Depth depth, double offset, int fields) {
 
 // ---- the theory, all as root mean squares ----
 
-// A row of the view over coordinates of size D: entries, products and 5/3 sums with a mean square
-// of D^2/3 each; the rounding of the translation adds one more.
+// The error of a row of the view matrix, applied to coordinates of size D (`offset`): it rounds
+// entries, products and 5/3 sums, with a mean square of D^2/3 each, and the translation once more.
+// This makes 14/3 rounding errors.
 double row_error(double offset) {
   return rms_rounding<float> * offset * std::sqrt(14.0 / 9);
 }
-// Only the rotation, over a vertex about 11.5 units away: the last sum is the result.
+// The error with the rotation alone, applied to a vertex about 10.8 units away: it rounds entries,
+// products and the first sum; the last sum is the result, of size kDistance.
 double rotation_error() {
   const double squared = square(kDistance) + 2 * 25.0 / 3;
   return rms_rounding<float> * std::sqrt(squared / 3 * (2 + 2.0 / 3) + square(kDistance));
 }
 // The error that projection and divide add to the depth d, converted to world units. Standard
-// depth: d and the products before it are just below 1; two matrix entries, a product, a sum, and a
-// quotient in steps of 2^-24 are rounded. Reversed depth: n and the quotient.
+// depth: d and the numbers before it are just below 1; a matrix entry, a product, a sum, and a
+// quotient in steps of 2^-24 are rounded. Reversed depth: n (the near plane) and the quotient are
+// rounded.
 double depth_error(Depth depth) {
   if (depth == Depth::kStandard)
     return distance_of(depth) *
@@ -103,15 +108,16 @@ double combined(double a, double b) {
 
 using Theory = double (*)(Depth, double offset);
 
-// Standard depth: z and w have independent errors of row_error each, so d has an error of sqrt(2)
-// row_error / z, which causes z/n times as much along the gaze. Reversed depth with an infinite far
-// plane: z is exactly n, and only w has an error.
+// Standard depth: z and w have independent errors of row_error each, so the depth z/w has an error
+// of sqrt(2) row_error / distance. As a distance along the gaze, this is sqrt(2) row_error times
+// distance / near plane. Reversed depth with an infinite far plane: z is exactly the near plane,
+// and only w has an error.
 double predict_composed(Depth depth, double offset) {
   const double row = row_error(offset);
   return combined(depth == Depth::kStandard ? std::sqrt(2.0) * row * kDistance / kNear : row,
                   depth_error(depth));
 }
-// z and w have the same error, so the vertex is only seen at a wrong distance.
+// z and w have the same error, so the vertex only seems to be at a slightly different distance.
 double predict_separate(Depth depth, double offset) {
   return combined(row_error(offset), depth_error(depth));
 }
@@ -121,7 +127,8 @@ double predict_eye_first(Depth depth, double) {
 
 // ---- the table ----
 
-constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;  // these fit into the first-level cache
+// 512 points fit into the first-level cache
+constexpr int kTimedPoints = 1 << 9, kRounds = 1 << 8;
 
 template <class Method>
 void add_series(std::vector<Configuration>& all, const std::string& series, Theory theory,
@@ -166,9 +173,10 @@ Experiment d07_composition() {
           .error_unit = "units",
           .reference = "50 digits, for vertices and an eye that are exactly floats",
           .theory =
-              "rounding errors count as random, 0.42 u each: 0.53 u D in a row of the matrix. With "
-              "one matrix, z and w have independent errors, which for depth 0..1 are worth sqrt(2) "
-              "z/n as much along the gaze. With two matrices they share one error, and if z = n "
+              "rounding errors count as random, 0.42 u each (u = 2^-24): 0.53 u D in a row of the "
+              "matrix, where D is the distance from the origin. With one matrix, z and w have "
+              "independent errors, which for depth 0..1 and the near plane n are worth sqrt(2) z/n "
+              "as much along the gaze. With two matrices they share one error, and if z = n "
               "exactly (reversed, infinite far plane), only w has one. If the eye is subtracted "
               "first, nothing grows with D",
           .item = "vertex",

@@ -73,14 +73,14 @@ inline Transform<Eye, World> view_of(const Field& field) {
 
 inline constexpr int kPointsOfField = 64;
 
-// Converts the depth's error to a distance along the gaze: z^2 (f - n)/(f n) for each unit of
-// depth.
+// Converts the depth's error to a distance along the gaze: z^2 (f - n)/(f n) for each unit of depth
+// (z: distance; n and f: near and far plane).
 inline double distance_of(Depth depth) {
   return square(kDistance) / kNear * (depth == Depth::kStandard ? 1 - kNear / 1000 : 1);
 }
 
-// Adds the squares of the errors of the field's depths; `depth_of(i)` returns the computed depth of
-// vertex i.
+// Adds the squares of the errors of all depths in the field; `depth_of(i)` returns the computed
+// depth of vertex i.
 template <class DepthOf>
 void add_squared_errors(const Field& field, Depth depth, const DepthOf& depth_of, double& sum) {
   using exact::Decimal;

@@ -44,7 +44,7 @@ ExactVector best_corner(const FloatPolygon& p) {
   return widened(best);
 }
 
-// Newell's sums over the unchanged coordinates (S4.33).
+// Newell's sums over the coordinates as they are, not relative to a corner (S4.33).
 ExactVector raw_newell(const FloatPolygon& p) {
   Vector<Object> m(0, 0, 0);
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -56,7 +56,7 @@ ExactVector raw_newell(const FloatPolygon& p) {
   return widened(m);
 }
 
-// The pipeline's own code: it measures from the first corner.
+// Newell's sums in the pipeline's own code, which uses coordinates relative to the first corner.
 ExactVector newell(const FloatPolygon& p) {
   return widened(newell_vector<float>(std::span<const Point<Object>>(p)));
 }
@@ -73,7 +73,7 @@ using Method = ExactVector (*)(const FloatPolygon&);
 
 using MakeCase = NormalCase (*)(std::uint64_t seed, double parameter);
 
-// The angle itself is computed in double, so an exact result may appear as 2^-53.
+// The angle itself is computed in double, so an exact normal may seem to have an error of 2^-53.
 double rms_angle(Method method, MakeCase make, double parameter, int polygons) {
   double sum = 0;
   for (int i = 0; i < polygons; ++i) {
@@ -85,9 +85,10 @@ double rms_angle(Method method, MakeCase make, double parameter, int polygons) {
 
 // ---- the theory, all as root mean squares ----
 
-// Noise: a corner that moves out of the polygon's plane changes Newell's vector by its height times
-// the vector between its two neighbours. So the normal tilts by sigma sqrt(sum |p_(i+1) -
-// p_(i-1)|^2) / |m|. Three corners are a polygon too.
+// The tilt of the normal from noise. A corner that moves out of the polygon's plane changes
+// Newell's vector m by its height times the vector between its two neighbours. With heights of the
+// standard deviation sigma, the normal tilts by sigma sqrt(sum |p_(i+1) - p_(i-1)|^2) / |m|. This
+// also holds for the normal of three corners, which are a polygon too.
 double tilt_of_noise(std::span<const PlanePoint> p) {
   double across = 0, twice_area = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -104,7 +105,7 @@ double tilt_of_corner(const PlanePolygon& p, std::size_t middle) {
 double noisy_first(double bend) {
   return tilt_of_corner(bent_octagon(bend), 1);
 }
-// Uses a corner that the bend does not change.
+// The best corner is one that the bend does not change.
 double noisy_best(double bend) {
   return tilt_of_corner(bent_octagon(bend), 5);
 }
@@ -112,10 +113,10 @@ double noisy_all(double bend) {
   return tilt_of_noise(bent_octagon(bend));
 }
 
-// Rounding errors: sums and differences of two coordinates are exact on the grid; each product is
-// rounded once, and so is each partial sum. Two of three components tilt the normal. `squares`
-// returns the sum of squares over all three components of a polygon; the result is the mean over
-// the first hundred polygons.
+// The tilt of the normal from rounding errors. Sums and differences of two coordinates are exact on
+// the grid; each product is rounded once, and so is each partial sum. `squares` returns the sum of
+// the squared errors over all three components; only two of the components tilt the normal. The
+// result is the mean over the first hundred polygons.
 template <class Squares>
 double tilt_of_roundings(double offset, const Squares& squares) {
   double sum = 0;
@@ -124,13 +125,14 @@ double tilt_of_roundings(double offset, const Squares& squares) {
     sum += squares(far_case(std::uint64_t(i) + 1, offset).corners) * 2 / 3;
   return rms_rounding<float> * std::sqrt(sum / kPolygons);
 }
-// Whether coordinates have so few bits that their products and sums need at most 24.
+// Whether coordinates have so few bits that their products and sums need at most the 24 bits of a
+// float.
 bool is_exact(double offset) {
   return 2 * (grid_bits(offset) + 3) <= 24;
 }
 
-// The squared rounding errors of Newell's sums, measured from `origin` and relative to the length
-// of the vector.
+// The squared rounding errors of Newell's sums with coordinates relative to `origin`, divided by
+// the squared length of the vector.
 double squares_of_sums(const FloatPolygon& p, const glm::dvec3& origin) {
   glm::dvec3 partial(0);
   double squares = 0;
@@ -153,7 +155,7 @@ double far_newell(double offset) {
   return tilt_of_roundings(
       offset, [](const FloatPolygon& p) { return squares_of_sums(p, glm::dvec3(to_glm(p[0]))); });
 }
-// A cross product has two products and their difference for each component.
+// For each component, a cross product rounds two products and their difference.
 double far_cross(double offset) {
   if (is_exact(offset)) return 0;
   return tilt_of_roundings(offset, [](const FloatPolygon& p) {
@@ -221,25 +223,26 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d08_normals() {
   using namespace d08;
-  return {.id = "D-8",
-          .name = "Normals of polygons",
-          .question =
-              "From which corners should a polygon's normal be computed, and from which origin "
-              "should they be measured?",
-          .axis = "bend of the second corner, or distance from the origin",
-          .axis_unit = "units; an octagon of radius 1",
-          .error = "root mean square angle to the right normal",
-          .error_unit = "radian",
-          .reference =
-              "the plane before the corners are moved off it; 50 digits for flat octagons far away",
-          .theory =
-              "errors sigma of the heights tilt the normal by sigma sqrt(sum |p_(i+1) - "
-              "p_(i-1)|^2) / (2 area), summed over the corners that are used: sigma sqrt(3/2)/bend "
-              "for a cross product at the bent corner, sigma for all corners. Far from the origin, "
-              "Newell's sums of raw coordinates round terms of size D: about 0.42 u D; differences "
-              "of corners are exact",
-          .item = "polygon",
-          .configurations = configurations};
+  return {
+      .id = "D-8",
+      .name = "Normals of polygons",
+      .question =
+          "From which corners should a polygon's normal be computed, and from which origin "
+          "should they be measured?",
+      .axis = "bend of the second corner, or distance from the origin",
+      .axis_unit = "units; an octagon of radius 1",
+      .error = "root mean square angle to the right normal",
+      .error_unit = "radian",
+      .reference =
+          "the plane before the corners are moved off it; 50 digits for flat octagons far away",
+      .theory =
+          "errors sigma of the heights tilt the normal by sigma sqrt(sum |p_(i+1) - p_(i-1)|^2) / "
+          "(2 area), summed over the corners that are used: sigma sqrt(3/2)/bend for a cross "
+          "product at the bent corner, sigma for all corners. At the distance D from the origin, "
+          "Newell's sums of raw coordinates round terms of size D: about 0.42 u D, where u is the "
+          "unit roundoff, 2^-24 for floats; differences of corners are exact",
+      .item = "polygon",
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

@@ -1,4 +1,4 @@
-// The polygons of the normals experiment (D-8), turned at random, and the right normals.
+// The polygons of the normals experiment (D-8), turned at random, and their exact normals.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,8 @@ inline PlanePolygon regular_octagon() {
 // The second corner is moved inwards until it is `bend` away from the line between its neighbours.
 inline PlanePolygon bent_octagon(double bend) {
   PlanePolygon p = regular_octagon();
-  const double cos = p[1].x, sin = p[1].y;  // the middle of the chord is in the same direction
+  // The chord from p[0] to p[2] has its middle in the direction of p[1], seen from the centre.
+  const double cos = p[1].x, sin = p[1].y;
   const double chord = (p[0].x + p[2].x) / 2 * cos + (p[0].y + p[2].y) / 2 * sin;
   p[1] = {(chord + bend) * cos, (chord + bend) * sin};
   return p;
@@ -47,15 +48,15 @@ inline PlanePolygon bent_octagon(double bend) {
 
 struct NormalCase {
   FloatPolygon corners;
-  ExactVector normal;  // the right normal
+  ExactVector normal;  // the exact normal, with which the computed one is compared
 };
 
 inline ExactVector in_space(const glm::dmat3& turn, double x, double y, double z) {
   return ExactVector(turn * glm::dvec3(x, y, z));
 }
 
-// Corners are moved out of the plane by up to kNoise sqrt(3) in both directions, which is a
-// standard deviation of kNoise. The plane's own normal is the right one.
+// Corners are moved out of the plane by up to kNoise sqrt(3) to either side, which is a standard
+// deviation of kNoise. The right normal is that of the plane.
 inline NormalCase noisy_case(std::uint64_t seed, double bend) {
   Random random(seed);
   const glm::dmat3 turn = rounded(exact::pythagorean_rotation(random));
@@ -70,7 +71,7 @@ inline NormalCase noisy_case(std::uint64_t seed, double bend) {
   return c;
 }
 
-// Newell's vector of the unchanged corners.
+// Newell's vector of the corners, computed without rounding errors.
 inline ExactVector exact_newell(const FloatPolygon& p) {
   using exact::Decimal;
   std::array<Decimal, 3> m;

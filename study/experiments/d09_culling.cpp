@@ -36,9 +36,10 @@ double wrongly_culled(const Surface& surface, const Test& test) {
   return count;
 }
 
-// Snapping adds to each coordinate an error of variance q^2/12, q = 1/256 px, so twice the area
-// gets an error of variance q^2/12 times the sum of the squared edges. A face with the area -a then
-// shows its front with the probability Phi(-a/sigma).
+// The probability that a back face shows its front after snapping. Snapping adds to each coordinate
+// an error of variance q^2/12, q = 1/256 px, so twice the area gets an error of variance sigma^2 =
+// q^2/12 times the sum of the squared edges. If the value is `area`, the error changes its sign
+// with the probability Phi(-area/sigma), where Phi is the normal distribution function.
 double chance_to_turn(const ScreenTriangle& t) {
   const auto edge = [&](std::size_t k) {
     const auto &a = t[k].position, &b = t[(k + 1) % 3].position;
@@ -52,7 +53,7 @@ double chance_to_turn(const ScreenTriangle& t) {
   return sigma > 0 ? 0.5 * std::erfc(area / sigma / std::sqrt(2.0)) : 0;
 }
 
-// The expected number of wrong faces.
+// The expected number of faces that are culled although their snapped triangles show the front.
 double predicted_wrong(const Surface& surface, const Test& test) {
   KeepFlags keep(surface.object_triangles.size());
   test(surface, keep);
@@ -130,9 +131,9 @@ std::shared_ptr<const Surface> framed(const Scene& scene) {
   return make_surface(scene, make_view(framing_camera(scene, 1).value(), kSide, kSide).value());
 }
 
-// A smooth surface as a scanner gives it: an ellipsoid whose corners are moved by up to a third of
-// the distance between two of them, so that the facing of grazing faces is random and neighbouring
-// normals disagree.
+// A smooth surface as a scanner measures it: an ellipsoid whose corners are moved by up to a third
+// of the distance between neighbours. So a face that is seen almost edge-on shows its front or its
+// back at random, and neighbouring normals disagree.
 std::shared_ptr<const Surface> scan() {
   BenchScene bench = make_ellipsoid_scene("scan", kScannedGrid, kSide, kSide);
   const double noise = kPi / kScannedGrid.stacks / 3;
@@ -188,11 +189,11 @@ Experiment d09_culling() {
           "sum over all culled faces. With a margin for the snap: 0. Half of the faces of a closed "
           "surface are back faces, so at most half of the set-up is saved. From far away all "
           "cosines between gaze and normal are equally likely, so a filter cannot decide for the "
-          "share bound/(|normal| distance) of directions.",
+          "fraction bound/(|normal| distance) of directions.",
       .item = "triangle",
       .measures = {{kFallbacks,
-                    "share of eyes, in all directions and 64 units away, for which a filter cannot "
-                    "decide a face's side, so that exact expansions decide",
+                    "fraction of eyes, in all directions and 64 units away, for which a filter "
+                    "cannot decide a face's side, so that exact expansions decide",
                     ""}},
       .configurations = configurations,
   };

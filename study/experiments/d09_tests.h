@@ -60,7 +60,8 @@ inline void add_triangles(const Draw& draw, const View& view, Surface& surface) 
     surface.object_triangles.push_back(modelled);
     surface.screen_triangles.push_back(placed);
   }
-  // Snapping moves a vertex by 2^-9 px; divide and viewport round by at most 3 u 512 px.
+  // Snapping moves a vertex by up to 2^-9 px; divide and viewport round by at most 3 u 512 px (u:
+  // the unit roundoff, 2^-24).
   constexpr double kDisplacement = 0x1p-9 + 3 * 0x1p-24 * kSide;
   surface.snapping_margin = snapping_margin(surface.clip_from_object, surface.viewer, view.viewport,
                                             largest_w * (1 + 0x1p-20), longest_edge, kDisplacement);
@@ -86,12 +87,14 @@ inline std::int64_t snapped_area(const ScreenTriangle& t) {  // positive: clockw
   return double_area(snap(t[0]), snap(t[1]), snap(t[2]));
 }
 
-// The snapped area alone decides, as in the pipeline: a front face is counter-clockwise.
+// Whether the triangle shows its front. The snapped area alone decides this, as in the pipeline: a
+// front face is counter-clockwise.
 inline bool shows_front(const ScreenTriangle& t) {
   return snapped_area(t) < 0;
 }
 
-// The same with exact integers from code that is independent of the pipeline.
+// Whether the triangle shows its front, computed with exact integers by code that is independent of
+// the pipeline.
 inline bool shows_front_exactly(const ScreenTriangle& t) {
   __extension__ typedef __int128 Int128;
   return exact::orientation<Int128>(exact::snapped(t)) < 0;
@@ -106,7 +109,8 @@ inline void keep_all(const Surface& surface, KeepFlags& keep) {
   (void)surface;
 }
 
-// The test of the slides in float: any vertex, and the normal from a cross product (S4.29).
+// The test of the slides (S4.29) in float: rejects a triangle if its normal, from a cross product,
+// and the direction from the eye to any of its vertices have a positive product.
 inline void keep_by_dot(const Surface& surface, KeepFlags& keep) {
   const auto& e = surface.viewer.eye_or_gaze;
   const Point<Object> eye(float(e.x), float(e.y), float(e.z));
@@ -120,15 +124,17 @@ inline void keep_by_area(const Surface& surface, KeepFlags& keep) {
   for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = shows_front(surface.screen_triangles[i]);
 }
 
-// The filter in double, exact expansions if it cannot decide, and a margin for snapping.
+// Rejects a triangle only if a test proves that it is a back face, even if snapping moves its
+// corners (the margin). The test is computed in double first, and with exact expansions if rounding
+// errors could change the answer.
 inline void keep_by_exact_test(const Surface& surface, KeepFlags& keep) {
   for (std::size_t i = 0; i < keep.size(); ++i)
     keep[i] = !certainly_back(test_back_face(surface.object_triangles[i], surface.viewer),
                               surface.snapping_margin);
 }
 
-// Neighbouring triangles in the order of the mesh: they are inside a ball, and their normals are
-// inside a cone.
+// Triangles that follow each other in the mesh, with a ball around them and a cone that contains
+// all their normals.
 struct Cluster {
   std::size_t first = 0, count = 0;
   Vector<Object, double> centre, axis;
@@ -172,8 +178,9 @@ inline std::vector<Cluster> make_clusters(const Surface& surface) {
   return clusters;
 }
 
-// Rejects a cluster if the eye is behind every plane that its ball and cone allow: (c - eye) . axis
-// >= |c - eye| sin + r.
+// Rejects a cluster if the eye is behind the planes of all triangles that its ball and cone may
+// contain: (c - eye) . axis >= |c - eye| sin + r (c and r: centre and radius of the ball; axis and
+// sin: axis of the cone and sine of its half angle).
 inline void keep_by_cones(const Surface& surface, const std::vector<Cluster>& clusters,
                           KeepFlags& keep) {
   for (const Cluster& cluster : clusters) {
@@ -190,7 +197,7 @@ using Test = std::function<void(const Surface&, KeepFlags&)>;
 
 struct Filtered {
   bool back = false;
-  double bound = 0;  // bound for the error of (b - a) x (c - a) . (a - eye)
+  double bound = 0;  // bound for the rounding error of (b - a) x (c - a) . (a - eye)
   bool used_exact = false;
 };
 using Filter = Filtered (*)(const ObjectTriangle&, const Vector<Object, double>& eye);
@@ -200,9 +207,10 @@ inline Filtered filter_in_double(const ObjectTriangle& t, const Vector<Object, d
   return {test.facing == Facing::kBack, test.bound, test.used_exact};
 }
 
-// Computed in float, for an eye rounded to float. Each term has eight rounding errors: a difference
+// Computes in float, for an eye rounded to float. Each term has eight rounding errors: a difference
 // in each of the three vectors, two products, their difference, and two sums. So the bound is
-// gamma(8) times the sum of the sizes of all terms, which is itself rounded.
+// gamma(8), about eight units roundoff, times the sum of the sizes of all terms, which is itself
+// rounded.
 inline Filtered filter_in_float(const ObjectTriangle& t, const Vector<Object, double>& eye) {
   const auto minus = [](const Point<Object>& p, const auto& q) {
     return std::array{p.x - float(q.x), p.y - float(q.y), p.z - float(q.z)};
@@ -222,10 +230,11 @@ inline Filtered filter_in_float(const ObjectTriangle& t, const Vector<Object, do
   return {filter_in_double(t, rounded).back, bound, true};
 }
 
-// The share of eyes, far away in all directions, for which a filter cannot decide. The cosine
-// between normal and gaze is uniformly distributed in [-1, 1], so a share bound/(|normal| distance)
-// of the eyes is too near to the face's plane. That is rare, so eyes are drawn from a slab around
-// the plane that is kSlab times as high, and the result is weighted accordingly.
+// The fraction of eyes for which a filter cannot decide, if the eyes are far away in all
+// directions. The cosine of the angle between normal and gaze is uniformly distributed in [-1, 1],
+// so a fraction bound/(|normal| distance) of the eyes is too near to the face's plane. Such eyes
+// are rare, so eyes are chosen from a slab around the plane that is kSlab times as thick, and the
+// result is weighted accordingly.
 struct Fallbacks {
   double measured = 0, expected = 0;
 };

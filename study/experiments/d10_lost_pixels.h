@@ -51,7 +51,7 @@ inline Framebuffer draw(const Scene& scene, const View& view) {
   return render_tiled(scene, view, distances_only(), {.threads = 1}).buffers;
 }
 
-// The number of lost pixels per row and eye.
+// The number of pixels per row and eye that are lost because their triangles are left out.
 inline double lost_columns(const Eyes& eyes, const std::vector<DrawKeepFlags>& kept) {
   double lost = 0;
   for (const bool left : {true, false}) {

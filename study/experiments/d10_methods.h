@@ -97,8 +97,8 @@ inline void cull_by_union(const Eyes& eyes, std::size_t draw, DrawKeepFlags& kep
       [](const auto& codes) { return is_outside_both_views(codes); }, kept.left);
 }
 
-// The distance of a ball from a clip plane, in object space: that of its centre minus the radius.
-// It is negative if the whole ball is outside.
+// The distance of a ball's innermost point from a clip plane, up to a factor: the distance of the
+// centre plus the radius. It is negative if the whole ball is outside.
 inline double ball_distance(const ClipPlane& plane,
                             const Transform<Clip, Object, float>& clip_from_object,
                             const Vector<Object, double>& centre, double radius) {
@@ -112,8 +112,8 @@ inline double ball_distance(const ClipPlane& plane,
   return p[0] * centre.x + p[1] * centre.y + p[2] * centre.z + p[3] + radius * length;
 }
 
-// Tests a ball around the object's bounding box, for all of its triangles at once; the rounding
-// error of the vertices is assumed to be 2^-16 of it.
+// Tests a ball around the object's bounding box, for all of its triangles at once. The radius is
+// increased by 2^-16 of it for the rounding errors of the vertices.
 inline void cull_by_ball(const Eyes& eyes, std::size_t draw, DrawKeepFlags& kept) {
   const Draw& d = eyes.list.draws[draw];
   const Box<Object>& box = d.prepared->bounds;

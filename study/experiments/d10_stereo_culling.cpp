@@ -22,7 +22,8 @@ namespace d10 {
 
 // ---- what is lost ----
 
-// Ground and sky are single rectangles, which are never completely outside.
+// Whether the triangle belongs to a backdrop: ground and sky are single rectangles, which are never
+// completely outside the picture.
 bool is_backdrop(const Eyes& eyes, std::uint32_t id) {
   for (const Draw& draw : eyes.list.draws) {
     const std::uint32_t number = id - 1, count = draw.triangulation->numbered;
@@ -31,8 +32,9 @@ bool is_backdrop(const Eyes& eyes, std::uint32_t id) {
   return false;
 }
 
-// Counts the pixels whose point is outside the centre camera's picture, by the parallax of their
-// distance, without backdrops; per row and eye.
+// Counts the pixels of both eyes that show a point outside the centre camera's picture; the
+// parallax of the point's distance tells where the centre camera has it. Backdrops are not counted.
+// Returns the number per row and eye.
 double strip_columns(const Eyes& eyes) {
   double beside = 0;
   for (const bool left : {true, false}) {

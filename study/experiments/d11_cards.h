@@ -1,4 +1,4 @@
-// Cards in front of a wall (D-11): a scene for which the holes of a warp are known.
+// Cards in front of a wall (D-11): a scene in which the holes that a warp leaves are known.
 #pragma once
 
 #include <array>
@@ -16,8 +16,9 @@ namespace glassbox::study::d11 {
 // ---- cards before a wall, all at distances whose parallax is a whole number of pixels ----
 //
 // Everything is made of cells of 4 x 4 px of the left picture, each with its own colour, so that a
-// warp moves whole pixels and has errors only in the holes. Their width is known: (W/2)(d/h) B
-// (1/z_front - 1/z_back), the difference of the parallaxes.
+// warp moves whole pixels and has errors only in the holes. The width of a hole is the difference
+// of two parallaxes, (W/2)(d/h) B (1/z_front - 1/z_back): W is the width of the picture, d/h an
+// entry of the projection, B the distance between the eyes, z a distance.
 
 inline constexpr int kWidth = 240, kHeight = 160, kCell = 4;
 inline constexpr double kWindow = 8;
@@ -27,8 +28,9 @@ struct Card {
   int parallax;             // px, at most 0; the wall has 0
 };
 
-// Single cards leave holes that the wall fills from the second layer. In some holes of stacks of
-// two cards with a common right edge, the wall is only in the third layer.
+// The hole beside a single card shows the wall, which is in the second layer. Two cards with a
+// common right edge, one behind the other, are a stack: in a part of the hole beside it, the wall
+// is only in the third layer.
 inline std::vector<Card> cards() {
   std::vector<Card> all;
   for (int i = 0; i < 5; ++i) {
@@ -41,7 +43,8 @@ inline std::vector<Card> cards() {
   return all;
 }
 
-// Inverts the formula in parallax.h: 1/z = 1/f - p/(W (d/h) s); d/h is the entry (0, 0) of the
+// Inverts the formula in parallax.h: 1/z = 1/f - p/(W (d/h) s). z is the distance, f that of the
+// window, p the parallax, W the width, s half of the eyes' distance; d/h is the entry (0, 0) of the
 // projection.
 inline double distance_of(int parallax, const View& centre, const StereoPair& pair) {
   return 1 / (1 / pair.window -
@@ -72,8 +75,9 @@ inline void add_cells(Mesh& mesh, const Card& card, const View& centre, const St
 }
 
 // The number of pixels in the right picture that stay empty with `layers` layers of the left one.
-// Beyond its right edge, a card uncovers `-parallax` columns of the wall; in a stack, 4 of them
-// show the card behind, which is the second layer.
+// To the right of its right edge, a card uncovers `-parallax` columns of the wall. Beside a stack
+// of two cards, 4 of these columns show the rear card, which is in the second layer, and 4 show the
+// wall, which is in the third.
 inline double hole_pixels(int layers) {
   double pixels = 0;
   const std::vector<Card> all = cards();
@@ -88,9 +92,9 @@ inline double hole_pixels(int layers) {
   return pixels;
 }
 
-// The number of pixels that show another surface in the right picture than in the left one: those
-// that cards cover in either picture. The two cards of a stack together cover what the rear one
-// covers.
+// The number of pixels that show another surface in the right picture than in the left one: the
+// pixels that cards cover in either picture. The two cards of a stack together cover what the rear
+// card covers.
 inline double moved_pixels() {
   double pixels = 0;
   const std::vector<Card> all = cards();

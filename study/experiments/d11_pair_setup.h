@@ -1,4 +1,4 @@
-// Sets up a triangle for both eyes; values that the eyes share are computed once.
+// Sets up a triangle for both eyes; values that are the same for both eyes are computed once.
 //
 // The eyes are separated along x only (S0-03). So a corner's y, depth and w are the same in both
 // pictures, and so are the slopes of the edges along x, the rows, and the interpolated values. Each
@@ -33,7 +33,7 @@ inline std::array<SetUp, 2> set_up_each(const PairTriangle& t) {
   return {setup_triangle(t.left), setup_triangle(t.right)};
 }
 
-// The same result as setup_triangle, but y, depth and w of the left eye are used for both.
+// Has the same result as setup_triangle, but uses y, depth and w of the left eye for both eyes.
 class SharedSetup {
 public:
   explicit SharedSetup(const std::array<ScreenVertex, 3>& corners) : corners_(corners) {
@@ -56,7 +56,7 @@ public:
     TriangleSetup setup;
     setup.clockwise = area > 0;
     setup.double_area = setup.clockwise ? area : -area;
-    // If several corners are nearest, the first one in the order of this eye is used.
+    // If several corners are equally near, the first one in the order of this eye is used.
     const std::size_t step = setup.clockwise ? 1 : 2;
     std::size_t first = nearest_;
     if (!setup.clockwise && nearest_ == 1 && corners_[2].position.z == corners_[1].position.z)

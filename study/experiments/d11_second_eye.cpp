@@ -125,12 +125,12 @@ constexpr const char* kSetup = "set-up";
 
 struct Errors {
   double rms = 0;        // in steps of 1/255, over red, green and blue
-  double holes = 0;      // share of pixels that are empty but should not be
+  double holes = 0;      // fraction of pixels that are empty but should not be
   double disparity = 0;  // in px: the largest error of the parallax of visible pixels
 };
 
-// A float distance z has an error of a few units in its last place; the error of its parallax,
-// about 100 px/z, is smaller than this.
+// In px. Smaller differences of parallax are rounding errors: a float distance z is wrong by a few
+// units in its last place, and the parallax, about 100 px/z, by less than this.
 constexpr double kLeastDisparity = 0x1p-12;
 
 double parallax_px(const StereoTestScene& s, float z) {
@@ -186,9 +186,10 @@ StereoTestScene card_scene() {
 // bytes.
 constexpr double kByteSquare = 255.0 * 511 / 6, kDifferenceSquare = (256.0 * 256 - 1) / 6;
 
-// Holes are black, or are filled with the colour of another cell of the wall; a pixel that shows
-// another surface in the left picture has another cell's colour. Where the rear card of a stack
-// should be visible, the filled hole shows the wall, whose parallax differs by 4 px.
+// The predicted errors for the cards. Holes are black, or are filled with the colour of another
+// cell of the wall. Without a warp, a pixel that shows another surface in the left picture has
+// another cell's colour. Where the rear card of a stack should be visible, the filled hole shows
+// the wall, whose parallax differs by 4 px.
 Errors predicted_on_cards(const Method& method) {
   constexpr double kPixels = kWidth * kHeight;
   if (method.exact) return {};
@@ -213,8 +214,8 @@ double square_of(const Rgba8& c) {
 struct LeftEye {
   std::vector<Layer> layers;
   double mean_square = 0, variance = 0;  // of a byte of the picture, without empty pixels
-  double opened = 0;      // columns that become visible at depth edges, as a share of the picture
-  double parallaxes = 0;  // in px, from the nearest surface to the farthest
+  double opened = 0;      // columns uncovered at depth edges, as a fraction of the picture
+  double parallaxes = 0;  // difference in px between the nearest surface and the farthest
 };
 
 LeftEye seen_by_left_eye(const StereoTestScene& test_scene) {
@@ -222,10 +223,10 @@ LeftEye seen_by_left_eye(const StereoTestScene& test_scene) {
   const auto& [color, distance, depth, id] = seen.layers.front();
   double sum = 0, squares = 0, count = 0, near = HUGE_VAL, far = -HUGE_VAL;
   for (int y = 0; y < kHeight; ++y) {
-    double before = 0;  // the left border opens like an edge at the window's depth
+    double before = 0;  // the left border uncovers columns like an edge at the window's depth
     for (int x = 0; x < kWidth; ++x) {
       const float z = distance.at(x, y);
-      const double p = parallax_px(test_scene, z);  // also for the sky
+      const double p = parallax_px(test_scene, z);  // finite for the sky, too
       if (std::isfinite(z)) {
         const Rgba8& c = color.at(x, y);
         sum += c.r + c.g + c.b, squares += square_of(c), count += 3;
@@ -241,7 +242,7 @@ LeftEye seen_by_left_eye(const StereoTestScene& test_scene) {
   return seen;
 }
 
-// The share of a layer's pixels that have another layer behind them.
+// The fraction of a layer's pixels that have another layer behind them.
 double share_behind(const LeftEye& seen, std::size_t layer) {
   if (layer + 1 >= seen.layers.size()) return 0;
   const auto covered = [&](const Layer& each) {
@@ -251,14 +252,15 @@ double share_behind(const LeftEye& seen, std::size_t layer) {
   return covered(seen.layers[layer + 1]) / covered(seen.layers[layer]);
 }
 
-// Between many thin things, a hole of the first layer shows the next layer, or the one after it, as
-// often as any place of the left picture does. Holes are black; filled holes, and pixels that show
-// another surface in the left picture, have the colour of some other place.
+// The predicted errors for many thin objects. In the correct picture, a hole of the first layer
+// shows the second or third layer. The probability of this is predicted by the fraction of the left
+// picture that has such a layer. Holes are black; filled holes, and pixels that show another
+// surface in the left picture, have the colour of some other place.
 Errors predicted_among_trees(const Method& method, const LeftEye& seen) {
   if (method.exact) return {};
   if (method.layers == 0) return {std::sqrt(2 * seen.variance), 0, seen.parallaxes};
-  // If pixels are thrown at random places, 1/e of the places stay empty: the share of holes is not
-  // larger, however far things move.
+  // If as many pixels as there are places move to random places, 1/e of the places stay empty. So
+  // the fraction of holes is not larger than that, however far things move.
   double share = std::min(seen.opened, std::exp(-1.0));
   for (int layer = 1; layer < method.layers; ++layer)
     share *= share_behind(seen, std::size_t(layer - 1));
@@ -266,8 +268,8 @@ Errors predicted_among_trees(const Method& method, const LeftEye& seen) {
   return {std::sqrt(share * square), method.fill ? 0 : share, seen.parallaxes};
 }
 
-// With one layer at 2 %, 9858 pixels stay open; with two layers 5893, and 4005 with back-face
-// culling.
+// Measured at 2 % on the axis: 9858 pixels stay empty with one layer, 5893 with two layers, and
+// 4005 with two layers and back-face culling.
 const Finding kOwnBack{
     "the second layer of a tree is its own back, which no hole shows; the third layer has the "
     "objects behind the tree, and fills more holes than other layers",

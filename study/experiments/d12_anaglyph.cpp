@@ -114,7 +114,8 @@ double relative_luminance(const LightMatrix& lens, const Colour3& shown) {
   return times(lens, shown)[1] / times(lens, {1, 1, 1})[1];
 }
 
-// Computed for any method, in the same way as Rivalry in rivalry.h.
+// The mean rivalry (the difference of the brightness that the two eyes see), computed for any
+// method in the same way as Rivalry in rivalry.h.
 double mean_rivalry(const ShownColour& show, const Scenery& scenery) {
   const Colour3 white = show({1, 1, 1});
   const double left = relative_luminance(kRedLensLight, white),
@@ -141,7 +142,9 @@ double mean_difference(const ShownColour& show, const Scenery& scenery) {
 
 // ---- theory ----
 
-// Y_L/Y_Lw - Y_R/Y_Rw of a colour: linear in the colour unless values are clamped.
+// The difference of relative luminance between the eyes, Y_L/Y_Lw - Y_R/Y_Rw: Y is the luminance
+// through the left or right lens, w stands for white. It is linear in the colour unless values are
+// clamped.
 double signed_rivalry(const ShownColour& show, const Linear& colour) {
   const auto share = [&](const LightMatrix& lens) {
     return relative_luminance(lens, show(colour)) / relative_luminance(lens, show({1, 1, 1}));
@@ -149,8 +152,8 @@ double signed_rivalry(const ShownColour& show, const Linear& colour) {
   return share(kRedLensLight) - share(kCyanLensLight);
 }
 
-// The mean of |x| for a normally distributed x, with the mean and the deviation that a . c has over
-// the scenery, where a has the values of each channel alone.
+// The mean of |x| for a normally distributed x = a . c, the rivalry of a colour c. Its mean and its
+// standard deviation are those over the scenery; a has the rivalries of full red, green and blue.
 double predicted_rivalry(const ShownColour& show, const Scenery& scenery) {
   const Colour3 a{signed_rivalry(show, {1, 0, 0}), signed_rivalry(show, {0, 1, 0}),
                   signed_rivalry(show, {0, 0, 1})};
@@ -173,7 +176,7 @@ struct Method {
   std::string series;
   AnaglyphMethod method;
   Recolour recolour;
-  double rivalry = 0;  // of the eight colours (B.6)
+  double rivalry = 0;  // rivalry of the eight colours (B.6)
 };
 
 std::vector<Method> methods(Effort effort) {
@@ -214,9 +217,9 @@ std::function<void(int)> work_of(const Method& method, const std::shared_ptr<con
   };
 }
 
-// The luminance of the other eye's channels through a lens, divided by that of the eye's own
-// channels: for red and cyan .0136/.0876 and .0176/.3865. The true anaglyph shows the right eye
-// only blue: .0018/.0876 and .0176/.0777.
+// Predicts ghosts: the luminance of the other eye's channels through a lens, divided by that of the
+// eye's own channels. For red and cyan this is .0136/.0876 (left) and .0176/.3865 (right). The true
+// anaglyph shows the right eye only blue: .0018/.0876 and .0176/.0777.
 void add_ghosts(const Method& method, double parameter, const AnaglyphViewing& viewing,
                 std::vector<Configuration>& all) {
   if (method.recolour.desaturate != 0) return;
@@ -249,7 +252,7 @@ std::vector<Configuration> configurations(Effort effort) {
       if (&scenery == &sceneries.front()) {
         predicted = method.rivalry;
       } else if (method.recolour.desaturate != 0) {
-        // Rivalry is linear in the colour, and greys have none (S0-15).
+        // Rivalry is linear in the colour, and greys have no rivalry (S0-15).
         const double plain = mean_rivalry(by_matrix(seen.matrix, {}), scenery);
         predicted = plain * (1 - method.recolour.desaturate) * (1 - method.recolour.brighten);
       }
@@ -263,8 +266,9 @@ std::vector<Configuration> configurations(Effort effort) {
     }
     add_ghosts(method, mean_difference(show, sceneries.front()), seen, all);
   }
-  // The two eyes' goals are apart by the difference that the colour method leaves between them. The
-  // least sum of the two squared distances is at the midpoint.
+  // The optimum minimizes the sum of two squared distances, from the colours that the left eye and
+  // the right eye should see. The least sum is at the midpoint of the two, so half of the colour
+  // method's rivalry is predicted.
   const ShownColour optimum = LabOptimum();
   const ShownColour colour = by_matrix(anaglyph_viewing(AnaglyphMethod::kMask).value().matrix, {});
   for (const Scenery& scenery : sceneries) {

@@ -40,8 +40,9 @@ inline LightMatrix inverse(const LightMatrix& m) {
   return adjugate;
 }
 
-// The colour that belongs to the light behind a lens: X, Y, Z, each relative to the value for white
-// through the lenses, as a screen without glasses would have to show it (von Kries).
+// The colour that an eye behind a lens sees, as a screen would have to show it without glasses. The
+// eye adapts to the lens: X, Y and Z are each relative to the value for white through the lens (von
+// Kries).
 class ColourThroughLens {
 public:
   explicit ColourThroughLens(const LightMatrix& lens)
@@ -74,7 +75,8 @@ inline LightMatrix both_lenses() {
 
 // ---- methods ----
 
-// Returns the linear light that is shown for a colour that both eyes have.
+// An anaglyph method: returns the linear light that the screen shows if both eyes should see the
+// given colour.
 using ShownColour = std::function<Colour3(const Linear&)>;
 
 inline Colour3 in_double(const Linear& c) {

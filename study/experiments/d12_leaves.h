@@ -3,8 +3,9 @@
 // Dead leaves (Matheron 1968; Lee, Mumford and Huang 2001): discs that fall on each other, with
 // radii r distributed as r^-3, so that the picture looks the same at every scale: edges are rare
 // and sharp, and surfaces between them are plain. The colours have the distribution that Ruderman,
-// Cronin and Chiao (1998) found outdoors: light is log-normal and varies several times as much as
-// yellow to blue, which in turn varies several times as much as red to green.
+// Cronin and Chiao (1998) found outdoors: the logarithm of the light is normally distributed and
+// varies several times as much as yellow to blue, which in turn varies several times as much as red
+// to green.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 
 namespace glassbox::study::d12 {
 
-// In linear light. Radii are from 1 px to half the width.
+// Returns the picture in linear light. The radii of the discs are from 1 px to half the width.
 inline Image<Linear> make_leaves(int width, int height, std::uint64_t seed) {
   constexpr double kLight = 0.8, kYellowBlue = 0.25, kRedGreen = 0.12, kMiddle = 0.18;
   Random random(seed);

@@ -10,8 +10,8 @@
 
 namespace glassbox::study {
 
-// An entry of R R^T - I with twice the digits of double: every product is split into its rounded
-// value and the rest (fma).
+// Returns a . b - minus, an entry of R R^T - I for a matrix R, with twice the digits of double:
+// every product is split into its rounded value and its rounding error (fma).
 inline double exact_dot(const std::array<double, 3>& a, const std::array<double, 3>& b,
                         double minus) {
   double sum = -minus, rest = 0;
@@ -19,7 +19,7 @@ inline double exact_dot(const std::array<double, 3>& a, const std::array<double,
     const double product = a[k] * b[k];
     rest += std::fma(a[k], b[k], -product);
     const double next = sum + product;
-    // Knuth's sum: the part that the addition lost.
+    // Knuth's sum finds the exact rounding error of the addition.
     const double shown = next - sum;
     rest += (sum - (next - shown)) + (product - shown);
     sum = next;

@@ -42,8 +42,8 @@ RotationMatrix<T> operator*(const RotationMatrix<T>& a, const RotationMatrix<T>&
 
 // ---- the methods ----
 
-// The plain product; its rows are made orthonormal again after every `every` steps (Gram and
-// Schmidt), or never if it is 0.
+// Multiplies the matrix by the step. After every `renormalised_every` steps, its rows are made
+// orthonormal again (Gram and Schmidt); 0: never.
 template <class T>
 class RotationProduct {
 public:
@@ -53,7 +53,7 @@ public:
     r_ = r_ * step_;
     if (every_ != 0 && ++since_ == every_) renormalise();
   }
-  // Whether the error is largest now: in the last moment before the next renormalisation.
+  // Whether the error is at its largest: just before the next renormalisation.
   bool is_worst() const { return every_ == 0 || since_ == every_ - 1; }
   const RotationMatrix<T>& matrix() const { return r_; }
 

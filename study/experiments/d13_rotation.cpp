@@ -14,8 +14,8 @@ namespace d13 {
 
 // ---- the error ----
 
-// The largest defect over the whole run, measured a thousand times and just before
-// renormalisations.
+// The largest defect (distance from a rotation) over the whole run, measured about a thousand
+// times, just before renormalisations.
 template <class Method>
 double largest_defect(int every, int steps) {
   Method method(every);
@@ -33,8 +33,9 @@ double largest_defect(int every, int steps) {
 
 // ---- the theory ----
 
-// R' = R S with a rounded S: R S S^T R^T = R (I + E) R^T, so each step adds R E R^T. R turns about
-// the step's own axis a, so over a full turn only the part of E that this rotation does not change
+// The drift, the systematic error of each step. A step S is rounded, with S S^T = I + E, and turns
+// the matrix R to R' = R S. So R' R'^T = R (I + E) R^T, and each step adds R E R^T. R turns about
+// the axis a of the step, so over a full turn only the part of E that this rotation does not change
 // remains: p = a^T E a along the axis, and (trace E - p)/2 across it.
 template <class T>
 double drift_of_step() {
@@ -48,23 +49,25 @@ double drift_of_step() {
   return std::sqrt(square(along) + 2 * square(across));
 }
 
-// A step rounds products and sums, 8/3 in squares for each entry. If all entries of a rotation are
-// rounded once by rms 0.42 u, the error of R R^T - I is 3.1 times that (the mean fourth power of an
-// entry is 1/5).
+// The mean square of the random errors of all steps. Each step rounds the products and sums of an
+// entry, which adds the squares of 8/3 rounding errors. If all entries of a rotation R are rounded
+// once, by an rms of 0.42 units roundoff, the error of R R^T - I is 3.1 times that (the mean fourth
+// power of an entry is 1/5).
 template <class T>
 double walk_squared(int steps) {
   return square(3.1 * rms_rounding<T>) * 8 / 3 * steps;
 }
-// The error that Gram and Schmidt's method leaves, counted in the same way: the lengths of both
-// normalised rows have an error of 1.5 rounding errors (divisions, root, sum of squares), 2.9 in
-// the diagonal; the cross product has both of these and its own. With the six entries beside the
-// diagonal this gives 48 in squares.
+// The mean square error that Gram and Schmidt's method leaves in R R^T - I. The lengths of both
+// normalised rows have an error of 1.5 rounding errors (divisions, root, sum of squares), which is
+// 2.9 in the diagonal; the third row, a cross product, has the errors of both rows and its own.
+// With the six entries beside the diagonal, the squares add up to 48.
 template <class T>
 double renormalised_squared() {
   return 48 * square(rms_rounding<T>);
 }
-// The largest of a thousand sums of three squares: the 0.999 quantile of their distribution, 16.3,
-// divided by its mean.
+// The largest of about a thousand measured errors, divided by their rms. The square of an error is
+// distributed like a sum of three squares: the 0.999 quantile of this distribution is 16.3, its
+// mean is 3.
 const double kLargestOfMany = std::sqrt(16.3 / 3);
 
 template <class T>
@@ -75,10 +78,11 @@ double predict_product(int every, int steps) {
          kLargestOfMany * std::sqrt(renormalised_squared<T>() + walk_squared<T>(carried));
 }
 
-// The length of a normalised quaternion has an error of 1.41 rounding errors (0.5 + 1 + 0.5 in
-// squares: divisions, root, half of the sum). For a length near 1 its matrix, I + |q|^2 (R - I),
-// has twice that error times R - I, and R R^T - I has 2 (2 I - R - R^T) times it: 8 sqrt 2 after
-// half a turn. The largest error in the few hundred samples near there is 2.5 times the rms.
+// The length of a normalised quaternion q has an error of 1.41 rounding errors (0.5 + 1 + 0.5 in
+// squares: divisions, root, half of the sum). For a length near 1 its matrix, I + |q|^2 (R - I)
+// with the rotation R, has twice that error times R - I. Then R R^T - I has 2 (2 I - R - R^T) times
+// that error: 8 sqrt 2 after half a turn. The largest error in the few hundred samples near there
+// is 2.5 times the rms.
 double predict_quaternion(int, int) {
   return 8 * std::sqrt(2.0) * 1.41 * 2.5 * rms_rounding<float>;
 }
@@ -152,7 +156,8 @@ Experiment d13_rotation() {
           .theory =
               "the rounded step S has a defect E = S S^T - I, and the part of E that is symmetric "
               "about the axis is added at each step: linear growth. Rounding errors add 0.42 u * "
-              "3.1 sqrt(8/3 n) as a random walk. Each renormalisation resets both",
+              "3.1 sqrt(8/3 n) in n steps as a random walk, where u is the unit roundoff. Each "
+              "renormalisation resets both",
           .item = "step",
           .configurations = configurations};
 }

@@ -17,8 +17,8 @@ namespace d14 {
 
 constexpr const char* kMoved = "moved";
 
-// About 111,600 samples in 90,000 pixels, 1.24 per pixel as on the slides (S1-12). There is one
-// image for each width, seen from several places.
+// The scene has about 111,600 samples in 90,000 pixels, 1.24 per pixel as on the slides (S1-12).
+// There is one image for each picture width; it is warped to several places.
 struct LayerTestScene {
   views::LayeredImage image;
   std::vector<Eigen::Matrix4d> warps;
@@ -60,8 +60,8 @@ LayerTestScene make_test_scene(int width, int eyes) {
 
 // ---- errors ----
 
-// `value` minus the product of a row with (x, y, z, 1), with twice the digits of double: the part
-// that each product and each sum loses is kept.
+// `value` minus the product of a row with (x, y, z, 1), with twice the digits of double: the
+// rounding error of each product and each sum is computed and added, too.
 double beyond(double value, const Eigen::RowVector4d& row, double x, double y, double z) {
   double sum = value, rest = 0;
   const auto take_away = [&](double a, double b) {
@@ -79,8 +79,8 @@ double beyond(double value, const Eigen::RowVector4d& row, double x, double y, d
 }
 
 struct Errors {
-  double rms = 0;    // in px, over both coordinates, before the division
-  double moved = 0;  // share of the samples that reach another pixel
+  double rms = 0;    // in px, x and y together, without the rounding errors of the division
+  double moved = 0;  // fraction of the samples that reach another pixel
 };
 
 template <class Method>
@@ -104,7 +104,7 @@ Errors errors_of(const LayerTestScene& test_scene) {
   return {std::sqrt(squares / samples), moved / samples};
 }
 
-// ---- work: one picture, a pixel for each sample, the nearest stays ----
+// ---- work: draws one picture, in which each sample fills one pixel and the nearest stays ----
 
 template <class Method>
 void draw(const LayerTestScene& test_scene) {
@@ -141,7 +141,7 @@ void add_method(const char* name, const std::shared_ptr<const LayerTestScene>& t
     mean.moved += one.moved / eyes;
   }
   const double samples = double(test_scene->image.samples()) * eyes;
-  // If not even a hundredth of a sample is expected to move, the share counts as 0.
+  // If not even a hundredth of a sample is expected to move, a fraction of 0 is predicted.
   if (mean.moved * samples < 0.01) mean.moved = 0;
   const auto errors = memoize([test_scene] { return errors_of<Method>(*test_scene); });
   all.push_back({.series = name,
@@ -198,7 +198,8 @@ Experiment d14_layer_warp() {
           "falls into another pixel with the probability E min(1, |e|)",
       .item = "sample",
       .measures = {{kMoved,
-                    "share of the samples that fall into the row or column of another pixel", ""}},
+                    "fraction of the samples that fall into the row or column of another pixel",
+                    ""}},
       .configurations = configurations};
 }
 

@@ -1,5 +1,6 @@
-// The methods to warp the samples of a layered depth image row by row (D-14): all compute start + z
-// depth (S1-08), but compute start in different ways.
+// The methods to warp the samples of a layered depth image row by row (D-14). All of them return
+// start + z depth (S1-08): `start` belongs to the pixel, z is the sample's depth and `depth` a
+// column of the matrix. They differ in how they compute `start`.
 #pragma once
 
 #include <array>
@@ -12,7 +13,8 @@
 
 namespace glassbox::study::d14 {
 
-// x w, y w and w in pixels of the other picture; the caller that draws uses z w.
+// Homogeneous coordinates x w, y w, z w and w, where (x, y) is a place in the other picture, in
+// pixels. Only the timed drawing uses z w.
 template <class T>
 struct Warped {
   T x, y, z, w;
@@ -35,7 +37,7 @@ Warped<T> start_at(const Eigen::Matrix4d& m, int x, int y) {
   return {T(at.x()), T(at.y()), T(at.z()), T(at.w())};
 }
 
-// Sixteen products for each sample.
+// Multiplies the matrix by (x, y, depth, 1) for each sample.
 template <class T>
 class FullProduct {
 public:
@@ -52,10 +54,11 @@ private:
   T x_ = 0, y_ = 0;
 };
 
-constexpr int kLine = 1 << 30;  // computed anew at each row
-constexpr int kNever = 0;       // rows also follow from each other
+constexpr int kLine = 1 << 30;  // the start of each row is computed from the matrix
+constexpr int kNever = 0;       // only the first start is; each row starts from the one before
 
-// Adds one step per pixel, and starts again from an exact value every `Anchor` pixels.
+// Adds one step per pixel. Every `Anchor` pixels the start is computed from the matrix instead, so
+// that rounding errors do not add up further.
 template <class T, int Anchor>
 class Additions {
 public:
@@ -113,8 +116,8 @@ private:
   int x_ = 0, y_ = 0;
 };
 
-// Integers: x w and y w in units of 2^-17 px, w and z w in 2^-27, depth in 2^-24. Additions are
-// exact; the step is not.
+// Uses integers: x w and y w in units of 2^-17 px, w and z w in 2^-27, depth in 2^-24. Additions
+// are exact; only the step is rounded to its unit.
 class FixedPoint {
 public:
   static constexpr double kPlace = 0x1p-17, kShare = 0x1p-27, kDepth = 0x1p-24;
@@ -143,7 +146,8 @@ private:
   Fixed right_, depth_, start_{};
 };
 
-// Calls visit(x, y, sample, warped place) for all samples in packed order.
+// Calls visit(x, y, sample, warped place) for all samples in the order in which the image stores
+// them.
 template <class Method, class Visit>
 void warp_all(const views::LayeredImage& image, const Eigen::Matrix4d& matrix, Visit&& visit) {
   const int width = image.camera.width, height = image.camera.height;

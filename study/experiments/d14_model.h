@@ -25,9 +25,9 @@ double rounding_at(double value) {
   return square(rms_of_step(unit_at<T>(value)));
 }
 
-// One coordinate along a row: a sum to which the same step is added repeatedly. Within a power of
-// two each addition has the same rounding error, so n of them have n times that error; the errors
-// in different powers of two are independent.
+// One coordinate along a row: a sum to which the same step is added repeatedly. While the sum stays
+// between two powers of two, each addition has the same rounding error, so n additions have n times
+// that error; errors between different powers of two are independent.
 template <class T>
 class Drift {
 public:
@@ -46,7 +46,7 @@ public:
       alike_ = 0;
       unit_ = unit;
     }
-    // A step that is a multiple of the sum's last unit is added without rounding.
+    // If the step is a multiple of the sum's last unit, the sum is not rounded.
     alike_ += std::remainder(double(T(step_)), unit) == 0 ? 0 : 1;
   }
   double value() const { return value_; }
@@ -60,14 +60,15 @@ private:
   int steps_ = 0, alike_ = 0;
 };
 
-// start + z depth: the column of depth, the product and the sum are rounded.
+// The variance of start + z depth: the entry of the column depth, its product with z, and the sum
+// are rounded.
 template <class T>
 double with_depth(double start, double start_variance, double depth, double z) {
   return start_variance + square(z) * rounding_at<T>(depth) + rounding_at<T>(z * depth) +
          rounding_at<T>(start + z * depth);
 }
 
-// The mean squares of the error of one coordinate of a sample, for each method.
+// For each method: the mean squares of the error of one coordinate of a sample.
 template <class Method>
 struct Model;
 
@@ -143,8 +144,8 @@ private:
   int x_ = 0, y_ = 0;
 };
 
-// `kPlace` for x and y: the rounded step is added x times; the start, the column of depth and the
-// product are rounded once.
+// Fixed point. The rounded step is added x times, so its error grows x-fold; the start, the column
+// of depth and the product are rounded once each. `step_` is kPlace for x and y, kShare for w.
 template <>
 struct Model<FixedPoint> {
   using Number = double;
@@ -163,19 +164,20 @@ private:
 };
 
 struct Predicted {
-  double mean_square = 0;  // px^2, over both coordinates, before the division
-  double moved = 0;        // share of the samples that reach another pixel
+  double mean_square = 0;  // px^2, x and y together, without the rounding of the division
+  double moved = 0;        // fraction of the samples that reach another pixel
 };
 
 // The probability that a coordinate reaches another pixel, if it is anywhere in its own pixel and
-// its error e is normally distributed: E min(1, |e|).
+// its error e is normally distributed: the mean of min(1, |e|).
 inline double share_moved(double deviation) {
   const double pixel = 1 / deviation;
   return std::erfc(pixel / std::numbers::sqrt2) +
          kMeanOfNormal * deviation * -std::expm1(-pixel * pixel / 2);
 }
 
-// Averages over every `every`-th row of one warp; the error of a coordinate is (dX - x dW)/w.
+// Averages over every `every`-th row of one warp. The error of a coordinate x is (dX - x dW)/w,
+// where dX and dW are the errors of x w and w.
 template <class Method>
 Predicted predict(const views::LayeredImage& image, const Eigen::Matrix4d& m, int every) {
   Predicted sum;
@@ -202,7 +204,7 @@ Predicted predict(const views::LayeredImage& image, const Eigen::Matrix4d& m, in
              {std::pair(at.x() / w, x_of.variance(z)), std::pair(at.y() / w, y_of.variance(z))}) {
           const double before = (variance + square(place_px) * of_w) / square(w);
           sum.mean_square += before;
-          // The inverse of w and the product are rounded as well.
+          // The division rounds twice: 1/w, and the product with it.
           const double after =
               before + rounding_at<T>(place_px) + square(place_px * w) * rounding_at<T>(1 / w);
           sum.moved += share_moved(std::sqrt(after));

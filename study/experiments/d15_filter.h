@@ -1,8 +1,9 @@
 // Predicts the errors of sample footprints for colours that are independent of each other (D-15):
 // each footprint is a filter that is described by its weights.
 //
-// If the colours c of the samples are independent with mean m and variance s, a sum of d c has the
-// mean square s sum(d^2) + m^2 (sum d)^2. Errors and differences between neighbours are such sums.
+// If the colours c of the samples are independent with mean m and variance s, a sum of d c with the
+// weights d has the mean square s sum(d^2) + m^2 (sum d)^2. Errors and differences between
+// neighbours are such sums.
 #pragma once
 
 #include <map>
@@ -22,13 +23,13 @@ inline Weights minus(Weights a, const Weights& b) {
 }
 
 inline double mean_square(const Weights& differences) {
-  constexpr double kMean = 127.5, kVariance = (256.0 * 256 - 1) / 12;  // of a byte
+  constexpr double kMean = 127.5, kVariance = (256.0 * 256 - 1) / 12;  // of a random byte
   double squares = 0, sum = 0;
   for (const auto& [sample, d] : differences) squares += d * d, sum += d;
   return kVariance * squares + kMean * kMean * sum * sum;
 }
 
-// The place of a sample in the other picture.
+// The place in the other picture to which sample (i, j) is warped.
 inline std::pair<double, double> place_of(int i, int j, const Magnification& m) {
   return {(i + 0.5) * m.x, (j + 0.5) * m.y};
 }
@@ -42,7 +43,8 @@ void visit_near(int u, int v, const Magnification& m, Visit&& visit) {
   }
 }
 
-// The first sample whose square (x - side/2, x + side/2] contains the pixel's centre.
+// Finds the first sample whose square (x - side/2, x + side/2] contains the pixel's centre, and
+// gives it the weight 1.
 inline Weights weights_in(int u, int v, const Magnification& m, const Square& square) {
   Weights found;
   visit_near(u, v, m, [&](int i, int j) {
@@ -57,7 +59,7 @@ inline Weights weights_in(int u, int v, const Magnification& m, const Ellipse& e
   visit_near(u, v, m, [&](int i, int j) {
     const auto [x, y] = place_of(i, j, m);
     const double a = (u + 0.5 - x) / ellipse.half_width, b = (v + 0.5 - y) / ellipse.half_height;
-    const bool is_cut = a == -1 || b == -1;  // the box around it is half open
+    const bool is_cut = a == -1 || b == -1;  // the box around the ellipse is half open
     if (found.empty() && a * a + b * b <= 1 && !is_cut) found[{i, j}] = 1;
   });
   return found;
@@ -89,7 +91,7 @@ inline Weights weights_in(int u, int v, const Magnification& m, const Gaussian& 
   return normalised(std::move(found));
 }
 
-// The true weights: how much of the pixel is covered by each sample's own pixel.
+// The exact weights: how much of the pixel is covered by the warped pixel of each sample.
 inline Weights truth_in(int u, int v, const Magnification& m) {
   Weights found;
   visit_near(u, v, m, [&](int i, int j) {
@@ -103,14 +105,14 @@ inline Weights truth_in(int u, int v, const Magnification& m) {
 }
 
 struct Expected {
-  double holes = 0;          // as a share of the pixels
+  double holes = 0;          // as a fraction of the pixels
   double mean_square = 0;    // of the error of a channel, (1/255)^2
   double gradient = 0;       // mean square of the difference to the pixel on the right
   double true_gradient = 0;  // the same for the true picture
 };
 
-// Averages over all positions of a pixel relative to the samples; they repeat after four pixels or
-// the next multiple of both steps.
+// Averages over all positions of a pixel relative to the samples. With the magnifications of this
+// experiment, these positions repeat after `period` pixels at the latest.
 template <class Footprint>
 Expected expect(const Magnification& m, const Footprint& footprint) {
   const int period = 8;

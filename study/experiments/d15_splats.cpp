@@ -27,7 +27,8 @@ struct LayerTestScene {
 };
 
 LayerTestScene make_test_scene(int samples, double times, bool tilted) {
-  // The first eye sees the wall at 60 degrees, so it is 1/cos 60 = 2 times as wide.
+  // The first eye sees the wall at 60 degrees, so for the second eye it is 1/cos 60 = 2 times as
+  // wide.
   const Magnification m{tilted ? 2 * times : times, times, times};
   LayerTestScene test_scene{tilted ? "wall at 60 degrees" : "wall", m, {}, {}};
   views::LayerCamera from;
@@ -46,9 +47,9 @@ LayerTestScene make_test_scene(int samples, double times, bool tilted) {
 // ---- the error ----
 
 struct Errors {
-  double holes = 0;      // as a share
+  double holes = 0;      // as a fraction of the pixels
   double rms = 0;        // of a channel, in 1/255
-  double sharpness = 0;  // mean square of the gradients divided by the true one
+  double sharpness = 0;  // mean square of the gradients, divided by that of the true picture
 };
 
 double channel(const Rgba8& c, int k) {
@@ -128,7 +129,8 @@ void add_test_scene(int samples, double times, bool tilted, std::vector<Configur
   add_footprint("1 x 1", test_scene, times, Square{1}, all);
   add_footprint("3 x 3", test_scene, times, Square{3}, all);
   add_footprint("square of side l", test_scene, times, Square{side}, all);
-  // sqrt(cos 0 / cos 60): the square has the same area as the sample seen from there (S1-10).
+  // The factor for the tilt is sqrt(cos 0 / cos 60): the square then has the same area as the
+  // sample has for the second eye (S1-10).
   const double with_tilt = std::max(m.focal * std::sqrt(m.x / m.y), 1.0);
   if (tilted)
     add_footprint("square of side l, with the tilt", test_scene, times, Square{with_tilt}, all);
@@ -155,31 +157,32 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d15_splats() {
   using namespace d15;
-  return {.id = "D-15",
-          .name = "Splats: one pixel, a square or a bell (Gaussian)",
-          .question = "Which footprint of a sample leaves no holes, and what does it blur?",
-          .axis = "magnification from one picture to the other",
-          .error = "share of a wall's pixels that show nothing",
-          .reference = "the wall of samples, averaged over each pixel",
-          .theory =
-              "one pixel per sample covers 1/m^2, so 1 - 1/m^2 are holes; with 3 x 3 pixels, 1 - "
-              "9/m^2 from m = 3 on; with sides l = m, none. A wall at 60 degrees is twice as wide. "
-              "The colours of the samples are independent, with the mean 127.5 and the variance s "
-              "= (256^2 - 1)/12. A footprint is a filter: with weights d, its error has the mean "
-              "square s sum(d^2) + 127.5^2 (sum d)^2, and so have the differences of neighbours",
-          .item = "sample",
-          .measures =
-              {{kRms, "RMS error of a channel", "1/255"},
-               {.name = kPsnr,
-                .error = "peak signal-to-noise ratio",
-                .error_unit = "dB",
-                .more_is_better = true},
-               {.name = kSharpness,
-                .error =
-                    "mean square of the differences between neighbours, divided by the reference's",
-                .error_unit = "",
-                .more_is_better = true}},
-          .configurations = configurations};
+  return {
+      .id = "D-15",
+      .name = "Splats: one pixel, a square or a bell (Gaussian)",
+      .question = "Which footprint of a sample leaves no holes, and what does it blur?",
+      .axis = "magnification from one picture to the other",
+      .error = "fraction of a wall's pixels that show nothing",
+      .reference = "the wall of samples, averaged over each pixel",
+      .theory =
+          "at the magnification m, one pixel per sample covers 1/m^2, so 1 - 1/m^2 are holes; with "
+          "3 x 3 pixels, 1 - 9/m^2 from m = 3 on; with sides l = m, none. A wall at 60 degrees is "
+          "twice as wide. The colours of the samples are independent, with the mean 127.5 and the "
+          "variance s = (256^2 - 1)/12. A footprint is a filter: with weights d, its error has the "
+          "mean square s sum(d^2) + 127.5^2 (sum d)^2, and so have the differences of neighbours",
+      .item = "sample",
+      .measures =
+          {{kRms, "RMS error of a channel", "1/255"},
+           {.name = kPsnr,
+            .error = "peak signal-to-noise ratio",
+            .error_unit = "dB",
+            .more_is_better = true},
+           {.name = kSharpness,
+            .error =
+                "mean square of the differences between neighbours, divided by the reference's",
+            .error_unit = "",
+            .more_is_better = true}},
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

@@ -12,11 +12,11 @@
 
 namespace glassbox::study::d15 {
 
-// How many times larger a pixel of this picture is in the other one, to the right and downwards.
-// The two values are the same for a surface that faces both eyes.
+// How many times larger a pixel of the first picture is in the other one, to the right and
+// downwards. The two values are the same for a surface that faces both eyes.
 struct Magnification {
   double x = 1, y = 1;
-  double focal = 1;  // F2 d1 / (F1 d2), known without the surface's tilt
+  double focal = 1;  // F2 d1 / (F1 d2) for focal lengths F and distances d, without tilt
 };
 
 struct Pixels {
@@ -59,7 +59,8 @@ struct Ellipse {
 
 // ---- footprints that are blended: put(u, v, weight) ----
 
-// Uses one of four sizes, with weights that are powers of two (Shade et al. 1998, section 4.3).
+// A square of one of four sizes, with weights that are powers of two (Shade et al. 1998, section
+// 4.3).
 struct FourSizes {
   int side = 1;
   static FourSizes for_size(double wanted) {
@@ -67,8 +68,8 @@ struct FourSizes {
     while (side < 7 && side < wanted) side += 2;
     return {side};
   }
-  // The weight of a pixel at (a, b) from the middle one: a bell that falls to 1/e^2 at the rim,
-  // rounded to 1, 1/2 or 1/4.
+  // The weight of a pixel at (a, b) from the middle one: a bell curve that falls to 1/e^2 at the
+  // rim, rounded to 1, 1/2 or 1/4.
   double weight(int a, int b) const {
     const double rim = side / 2.0, bell = std::exp(-2 * (a * a + b * b) / (rim * rim));
     return bell >= 0.75 ? 1 : bell >= 0.375 ? 0.5 : 0.25;
@@ -82,8 +83,9 @@ struct FourSizes {
   }
 };
 
-// Elliptical weighted average (Heckbert 1989): a bell with a deviation of half a pixel of the first
-// picture, warped, convolved with one of half a pixel of the other picture.
+// Elliptical weighted average (Heckbert 1989): a bell curve with a standard deviation of half a
+// pixel of the first picture, warped to the other picture and convolved with a bell curve of half a
+// pixel there.
 struct Gaussian {
   static constexpr double kReach = 3;  // in standard deviations
   double deviation_x = 1, deviation_y = 1;
@@ -110,8 +112,8 @@ struct Splatted {
   Image<float> depth;  // 0: a hole
 };
 
-// The nearer sample stays, and the first one of equally near ones; blended samples at the same
-// distance are averaged.
+// Draws all samples. In each pixel the nearer sample stays, and the first one of equally near
+// samples; if the footprint is blended, samples at the same distance are averaged.
 template <class Footprint>
 Splatted splat(const views::LayeredImage& image, const views::LayerCamera& to,
                const Footprint& footprint) {

@@ -26,41 +26,42 @@ struct Move {
   const char* name;
   Eigen::Vector3d to;  // second eye in world units; the first is at 0 and looks along -z
   // Returns a random distance. Together with the movement it determines how many times farther from
-  // the middle of the picture an object is seen.
+  // the middle an object is in the second picture than in the first.
   double (*distance)(Random&);
   // px: side of the square in the middle of the picture that samples reach from all sides
   int middle;
-  // The share of wrong pixels among those that show something, with `layers` samples per pixel.
+  // The predicted fraction of wrong pixels among the pixels that show something, with `layers`
+  // samples per pixel: in the occlusion-compatible order and in packed order.
   double (*order)(double layers);
   double (*packed)(double layers);
 };
 
-// If the number of samples on a pixel has a Poisson distribution with this mean: the share of
-// pixels with two or more among those with any.
+// If the number of samples on a pixel has a Poisson distribution with this mean: the fraction of
+// pixels with two or more samples among the pixels with any.
 double share_with_two(double mean) {
   return 1 - mean * std::exp(-mean) / (1 - std::exp(-mean));
 }
 
 // The eye moves one unit to the left. At the distance kFocal / n the parallax is n whole pixels to
-// the right. Samples that are packed later are further right, and of those that reach the same
-// pixel they are farther, so the farthest one stays.
+// the right. Packed order goes to the right, and a sample that comes from further right to the same
+// pixel is farther away. So the farthest one is drawn last and stays.
 double at_whole_parallaxes(Random& random) {
   return kFocal / double(random.integer(1, 40));
 }
-// The eye moves one unit ahead. An object then appears r times as large if r/(r - 1) units were
-// left; r is from 1.5 to 2.5.
+// The eye moves one unit ahead. An object at the distance r/(r - 1) then appears r times as large;
+// r is from 1.5 to 2.5.
 double magnified(Random& random) {
   const double r = random.between(1.5, 2.5);
   return r / (r - 1);
 }
-// The eye moves one unit back, and objects appear half as large: r is from 0.5 to 0.501, which
-// moves a pixel 32 px from the middle by 1/30 px.
+// The eye moves one unit back, and objects appear half as large: r is from 0.5 to 0.501. Within
+// this range, the place of a sample 32 px from the middle differs by 1/30 px.
 double halved(Random& random) {
   const double r = random.between(0.5, 0.501);
   return r / (1 - r);
 }
-// The packed order goes upwards: below the epipole it goes towards it, which is right; above it
-// goes away from it.
+// Packed order draws rows from bottom to top. The right order goes towards the epipole, in the
+// middle of the picture: packed order does so below the epipole, but goes away from it above.
 double packed_ahead(double layers) {
   return share_with_two(layers * (1 / 1.5 - 1 / 2.5)) / 2;
 }
@@ -68,8 +69,8 @@ double packed_ahead(double layers) {
 const Move kMoves[] = {
     {"aside", {-1, 0, 0}, at_whole_parallaxes, 40, [](double) { return 0.0; }, share_with_two},
     {"ahead", {0, 0, -1}, magnified, 90, [](double) { return 0.0; }, packed_ahead},
-    // Four pixels are warped to one, and the nearest of the four samples is independent of the
-    // order of visits.
+    // Four pixels are warped to one. Which of the four samples is the nearest is independent of the
+    // order of drawing, so the last one is wrong in three of four cases.
     {"back, a thin slab",
      {0, 0, 1},
      halved,
@@ -108,8 +109,8 @@ LayerTestScene make_test_scene(const Move& move, double layers) {
     const int u = int(std::floor(X * kFocal / left + kSide / 2.0)),
               v = int(std::floor(Y * kFocal / left + kSide / 2.0));
     const bool is_inside = u >= 0 && v >= 0 && u < kSide && v < kSide;
-    // If two samples are at the same distance, neither is the nearest, so the second one is left
-    // out.
+    // If two samples at a pixel have the same distance, neither is the nearest, so the second one
+    // is left out.
     if (is_inside && z == nearest.at(u, v)) return;
     builder.add(x, y, depth, color);
     if (!is_inside || z > nearest.at(u, v)) return;
@@ -167,8 +168,8 @@ Image<Rgba8> draw(const LayerTestScene& test_scene) {
   return color;
 }
 
-// The share of pixels in the middle square that do not show the nearest sample, among those that
-// show something.
+// The fraction of pixels in the middle square that do not show the nearest sample, among the pixels
+// that show something.
 double wrong_share(const LayerTestScene& test_scene, const Image<Rgba8>& drawn) {
   const int begin = (kSide - test_scene.move->middle) / 2;
   double wrong = 0, shown = 0;
@@ -221,7 +222,7 @@ Experiment d16_layer_order() {
           .question =
               "Does drawing in an order show the same as a depth buffer, and what does it save?",
           .axis = "samples for each pixel",
-          .error = "share of the pixels with samples that do not show their nearest sample",
+          .error = "fraction of the pixels with samples that do not show their nearest sample",
           .reference = "the place of each sample, and the nearest sample of each pixel",
           .theory =
               "McMillan's order is right for points: two that fall on one pixel and are visited in "

@@ -24,17 +24,18 @@ namespace d17 {
 using views::Layer;
 
 constexpr const char *kStorage = "storage", *kMerged = "merged";
-// for the leaves: with 3 on average, one line in a million hits more
+// enough for the leaves: with 3 leaves on average, one line of sight in a million meets more
 constexpr int kAllLayers = 14;
 
-// The layers seen from some eyes, peeled, and the picture of another eye.
+// The depth-peeled layers seen from some eyes, and the picture of another eye, in which surfaces
+// may be visible that the layers lack.
 struct LayerTestScene {
   std::string name;
   std::vector<View> eyes;
   std::vector<std::vector<Layer>> peeled;  // one list per eye
   View other;
   Layer seen;
-  double tolerance = 0;  // as a share of the distance; 0: surfaces are identified by their colour
+  double tolerance = 0;  // relative to the distance; 0: surfaces are identified by their colour
 };
 
 RenderSettings plain() {
@@ -92,8 +93,8 @@ std::optional<bool> contains_surface(const LayerTestScene& test_scene, std::size
   return false;
 }
 
-// The share of pixels whose surface is in none of the layers, among the pixels of the other eye's
-// picture that show something inside the pictures of all first eyes.
+// The fraction of pixels whose surface is in none of the layers, among the pixels of the other
+// eye's picture that show something inside the pictures of all first eyes.
 double missing(const LayerTestScene& test_scene, int layers, int eyes) {
   const views::LayerCamera camera = views::layer_camera(test_scene.other);
   const Eigen::Matrix4d back = camera.screen_from_world.inverse();
@@ -118,7 +119,8 @@ double missing(const LayerTestScene& test_scene, int layers, int eyes) {
   return without / seen;
 }
 
-// Four bytes for a colour, four for a depth, and an offset for each pixel.
+// The bytes for each pixel of the image: four for the colour and four for the depth of each sample,
+// and four for the offset of the pixel's first sample.
 double bytes_of(const views::LayeredImage& image) {
   return (8 * double(image.samples()) + 4 * double(image.first.size())) /
          double(image.first.size() - 1);
@@ -129,7 +131,7 @@ std::string series_of(int eyes) {
 }
 
 struct MissingShareLaw {
-  double covered;  // T: mean number of surfaces on a line
+  double covered;  // T: mean number of surfaces on a line of sight
   std::optional<Finding> of_missing = {};
 };
 
@@ -235,7 +237,7 @@ Experiment d17_layers() {
           "How much of another eye's view do the layers contain, and how much memory do they take?",
       .axis = "layers of each eye",
       .logarithmic_axis = false,
-      .error = "share of another eye's pixels with a surface that no layer has",
+      .error = "fraction of another eye's pixels with a surface that no layer has",
       .reference = "the scene as that eye sees it",
       .theory =
           "a line meets randomly placed objects as in a Poisson process, T on average. A point "
@@ -248,9 +250,9 @@ Experiment d17_layers() {
       .axis_is_chosen = true,
       .measures = {{kStorage, "bytes for each pixel", "bytes"},
                    {.name = kMerged,
-                    .error = "share of the samples that are merged with one of another surface",
+                    .error = "fraction of the samples that are merged with one of another surface",
                     .error_unit = "",
-                    .axis = "epsilon, as a share of the depth"}},
+                    .axis = "epsilon, as a fraction of the depth"}},
       .configurations = configurations};
 }
 

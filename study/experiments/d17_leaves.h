@@ -16,14 +16,15 @@
 namespace glassbox::study::d17 {
 
 // Parallel eyes with one pixel per unit, and a slab 480 units deep. The number of leaves on a line
-// through it, from any eye, has a Poisson distribution with mean 3, because three times the area is
-// covered. Leaves are 6 units wide, and the mean distance of two of them on a line is 160 units.
-// Two lines that cross at an angle of 0.35 radian are a leaf's width apart after 17 units, so
-// except for a tenth of the leaves they meet independent ones.
+// through it, from any eye, has a Poisson distribution with mean 3, because the leaves have three
+// times the area of the slab's front. Leaves are 6 units wide, and the mean distance of two leaves
+// on a line is 160 units. Two lines that cross at an angle of 0.35 radian are a leaf's width apart
+// after 17 units, so except for a tenth of the leaves, the leaves on one line are independent of
+// those on the other.
 inline constexpr double kDepth = 480, kLeaf = 6, kCovered = 3, kAngle = 0.35;
 inline constexpr double kDistance = 400;  // from the eyes to the middle of the slab
-// The eyes are side by side. The things that the other eye sees extend up to 240 tan 0.35 = 88 px
-// further to the sides for the first eye, and twice that for the second.
+// The eyes are side by side. What the other eye sees is up to 240 tan 0.35 = 88 px further to the
+// sides in the picture of the first eye, and up to twice that in the picture of the second.
 inline constexpr int kSourceWidth = 464, kSeenWidth = 96, kHeight = 32;  // in px
 
 inline Scene leaves() {
@@ -63,17 +64,18 @@ inline View eye_at_angle(double radians, int width) {
 
 // ---- the laws ----
 
-// P(N >= k) for a Poisson distribution of N.
+// The probability P(N >= k), if N has a Poisson distribution with this mean.
 inline double at_least(int k, double mean) {
   double term = std::exp(-mean), below = 0;
   for (int n = 0; n < k; ++n) below += term, term *= mean / (n + 1);
   return 1 - below;
 }
 
-// One eye sees a surface at the optical depth t with the density e^-t. k layers of another eye end
-// in front of that surface with the probability P(N >= k), where t is the mean of N. The result is
-// the share of visible surfaces that none of `eyes` eyes has. For one eye and an endless slab it is
-// 2^-k.
+// The fraction of visible surfaces that are in none of the first k layers of any of `eyes` eyes. An
+// eye sees a surface at the optical depth t (the mean number of surfaces in front of it) with the
+// density e^-t. In another eye's k layers it is missing if k or more surfaces are in front of it,
+// which has the probability P(N >= k) for a Poisson distribution of N with the mean t. For one eye
+// and an endless slab, the result is 2^-k.
 inline double missing_share(double covered, int layers, int eyes) {
   constexpr int kSteps = 2000;
   double sum = 0;
@@ -84,16 +86,16 @@ inline double missing_share(double covered, int layers, int eyes) {
   return sum * covered / kSteps / (1 - std::exp(-covered));
 }
 
-// The mean of min(N, k): P(N >= 1) + ... + P(N >= k).
+// The mean of min(N, k), where N is the number of surfaces on a line: P(N >= 1) + ... + P(N >= k).
 inline double kept_layers(double covered, int layers) {
   double sum = 0;
   for (int k = 1; k <= layers; ++k) sum += at_least(k, covered);
   return sum;
 }
 
-// A sample at depth u (1 in front, 0 behind) absorbs the samples within epsilon u behind it. This
-// is a counter with a dead time of that length after each count, which counts T/(1 + T epsilon u)
-// of T per unit. Returns the share that is absorbed.
+// Returns the fraction of samples that are merged into others. A sample at depth u (1 in front, 0
+// behind) absorbs the samples within epsilon u behind it, as a particle counter is dead for some
+// time after each count: of T samples per unit of depth, T/(1 + T epsilon u) remain.
 inline double merged_share(double covered, double epsilon) {
   return 1 - std::log1p(covered * epsilon) / (covered * epsilon);
 }

@@ -24,7 +24,7 @@ struct BallPictures {
   std::vector<Image<float>> distances;  // along the gaze; infinite beside the object
 };
 
-// A colour that changes by about 6 levels over a fiftieth of the radius.
+// A colour that changes by about 6 levels (of 255) over a fiftieth of the radius.
 inline Rgba8 color_at(const Vector3d& p) {
   const auto level = [](double a, double b) {
     const double wave = sin_cos_degrees(170 * a).sin * sin_cos_degrees(140 * b).cos;
@@ -41,7 +41,8 @@ inline double hit_ball(const Vector3d& p, const Vector3d& d) {
   return root > 0 ? (-b - std::sqrt(root)) / a : -1;
 }
 
-// The same for upright rods that are around the ball and extend from its middle to above it.
+// The smallest t > 0 at which the line p + t d meets one of some upright rods, which are around the
+// ball and extend from its middle to above it; negative if there is none.
 inline double hit_rods(const Vector3d& p, const Vector3d& d) {
   double nearest = -1;
   for (int i = 0; i < 6; ++i) {

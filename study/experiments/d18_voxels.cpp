@@ -34,12 +34,13 @@ const Method kMethods[] = {
      }}};
 
 struct Found {
-  double surface = 0;   // mean distance, in ball radii
-  double left_out = 0;  // RMS, in levels
-  double looks = 0;     // number of voxels times pictures
+  double surface = 0;   // mean distance of the voxels from the surface, in ball radii
+  double left_out = 0;  // RMS error of the picture that is left out, in levels
+  double looks = 0;     // number of examined voxels times number of pictures
 };
 
-// The picture that is left out is that of a camera between two others.
+// The picture that is left out of the reconstruction, to be compared with it, is that of a camera
+// between two others.
 Found found_by(const Method& method, int across, int pictures) {
   BallPictures shown = pictures_of(pictures, kSide, false);
   const views::CalibratedPicture left_out = shown.set.pictures.back();
@@ -61,8 +62,8 @@ Found found_by(const Method& method, int across, int pictures) {
 
 // The mean distance of a random point in a cube from its centre is 0.480 of an edge (Robbins 1978):
 // this error remains if the voxel of every point is coloured. A pixel has the colour of its centre,
-// and the mean distance of its points from the centre is (sqrt 2 + ln(1 + sqrt 2))/6 = 0.383 px: a
-// voxel is judged with this error, however small it is. The two errors are independent.
+// and the mean distance of its points from the centre is (sqrt 2 + ln(1 + sqrt 2))/6 = 0.383 px:
+// even the smallest voxels have this error. The two errors are independent.
 constexpr double kInCube = 0.4803, kInPixel = 0.3826;
 
 double predicted_distance(int across) {
@@ -70,10 +71,10 @@ double predicted_distance(int across) {
   return std::hypot(kInCube * 2.0 / across, kInPixel * pixel);
 }
 
-// The memory: for each pixel that was read a colour and a matte, and a word for the sweep; a byte
-// for each tile of 4 x 4 pixels, and two words of bits for up to 64 such tiles of a row; a coloured
-// voxel for each of the N^2 voxels of six faces, and the data of each voxel of the layer that is
-// looked at.
+// The predicted memory: for each pixel that was read a colour and a matte, and a word for the
+// sweep; a byte for each tile of 4 x 4 pixels, and two words of bits for up to 64 such tiles of a
+// row; a coloured voxel for each of the N^2 voxels of the cube's six faces (N: `across`); and the
+// data of each voxel of the layer that is being examined.
 double predicted_bytes(int across, int pictures, int side) {
   const double pixels = double(side) * side * pictures, face = double(across) * across;
   const double tiles = side / 4.0, words = std::ceil(tiles / 64);
@@ -161,9 +162,9 @@ Experiment d18_voxels() {
       .reference = "the ball's formula",
       .theory =
           "0.480 of a voxel's edge (the mean distance from a point of a cube to its centre) and "
-          "0.383 of a pixel (the same for a square), added in squares. Look-ups: N^3 m. Memory: "
-          "N^2 m (S1-22 in docs/references.md), 9 bytes per pixel and the data of the voxels of "
-          "six faces and a layer",
+          "0.383 of a pixel (the same for a square), added in squares. With N voxels along each "
+          "axis and m pictures: look-ups: N^3 m. Memory: N^2 m (S1-22 in docs/references.md), 9 "
+          "bytes per pixel and the data of the voxels of six faces and a layer",
       .item = "voxel and picture",
       .measures = {{.name = "left out",
                     .error = "RMS error of a picture that was left out, where voxels cover it",

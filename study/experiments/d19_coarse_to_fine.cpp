@@ -23,8 +23,8 @@ std::set<std::uint64_t> keys_of(const views::Coloring& coloring) {
 }
 
 struct Lost {
-  double share = 0;   // of the voxels that a complete sweep colours
-  double judged = 0;  // voxels of the finest level that are looked at, as a share of all
+  double share = 0;   // fraction of the voxels that a complete sweep colours
+  double judged = 0;  // voxels of the finest level that are looked at, as a fraction of all
 };
 
 Lost lost_by(const BallPictures& shown, views::ColoringRequest request) {
@@ -37,9 +37,9 @@ Lost lost_by(const BallPictures& shown, views::ColoringRequest request) {
   return {1 - double(kept) / double(all.size()), double(fine.examined) / double(whole.examined)};
 }
 
-// The level before the finest has cells of two voxels. The cells of the ball's surface and those
-// around each of them form a shell three cells thick, of which the cameras above see about two
-// thirds.
+// Predicts the fraction of voxels that are looked at. The level before the finest has cells of two
+// voxels. The cells of the ball's surface and the cells around each of them form a shell three
+// cells thick, of which the cameras above see about two thirds.
 double predicted_judged() {
   constexpr double kCell = 2, kDeep = 3, kSeen = 2.0 / 3;
   const double area = kPi * kAcross * kAcross;
@@ -93,16 +93,16 @@ Experiment d19_coarse_to_fine() {
           "what is lost?",
       .axis = "coarser levels",
       .logarithmic_axis = false,
-      .error = "share of the coloured voxels that are lost",
+      .error = "fraction of the coloured voxels that are lost",
       .reference = "a sweep through all voxels",
       .theory =
           "examined: the cells of two voxels around a surface of the ball's area, three cells "
-          "deep, as a share of all voxels, O(N^2). The loss follows no law: it is thin parts, and "
-          "corners that coarse pixels blur",
+          "deep, as a fraction of all voxels, O(N^2) voxels if there are N along each axis. The "
+          "loss follows no law: it is thin parts, and corners that coarse pixels blur",
       .item = "voxel",
       .axis_is_chosen = true,
       .measures = {{.name = "judged",
-                    .error = "share of all voxels that are examined at the finest level",
+                    .error = "fraction of all voxels that are examined at the finest level",
                     .error_unit = ""}},
       .configurations = d19::configurations};
 }

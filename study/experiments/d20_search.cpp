@@ -12,7 +12,7 @@
 namespace glassbox::study {
 namespace d20 {
 
-constexpr int kBits = 8;  // size of a pixel's word
+constexpr int kBits = 8;  // number of bits in a pixel's word
 
 // Random words: the left picture's pixel (x, y) equals the right one's (x - d, y), with a separate
 // d for each row, which is less than a quarter of the width.
@@ -44,7 +44,8 @@ struct SearchResult {
   std::int64_t compared = 0;
 };
 
-// The word that differs in the fewest bits; the first one if several do.
+// Finds the right picture's word that differs from `word` in the fewest bits; the first one if
+// there are several.
 template <class Next>
 SearchResult least_of(const WordPair& pair, std::uint8_t word, std::size_t first, std::size_t count,
                       Next next) {
@@ -73,10 +74,11 @@ SearchResult in_whole_picture(const WordPair& pair, int x, int y) {
                   [](std::size_t at) { return at + 1; });
 }
 
-// Calls `ask` for some left pixels for which every disparity is possible, about `most` of them.
+// Calls `ask` for about `most` pixels of the left picture, at regular steps, and returns how many
+// they were. Leaves out pixels at the left, for which not every disparity is possible.
 template <class Ask>
 int for_some(const WordPair& pair, int most, Ask ask) {
-  // odd, so that all columns occur
+  // an odd step, so that pixels of all columns occur
   const int step = std::max(1, pair.width * pair.height / most) | 1;
   int asked = 0;
   for (int i = step / 2; i < pair.width * pair.height; i += step) {
@@ -105,8 +107,9 @@ double comparisons(int width, Search search) {
   return double(compared);
 }
 
-// The right word is the i-th of C candidates, each i with the same probability. It is missed if an
-// equal word, with probability 2^-b each, is before it.
+// The probability of a wrong result. The right word is the i-th of C candidates, each i with the
+// same probability. It is missed if one of the words before it is equal, which has the probability
+// 2^-kBits for each of them.
 double predicted_wrong(double candidates) {
   const double same = std::exp2(-kBits);
   return 1 - (1 - std::pow(1 - same, candidates)) / (candidates * same);
@@ -125,7 +128,8 @@ std::vector<Configuration> configurations(Effort effort) {
     };
     for (const Method& method : {Method{"along the row", along_row, disparities},
                                  Method{"in the whole picture", in_whole_picture, pixels}}) {
-      // A million comparisons per call, or those of a picture.
+      // The number of searches in a call: so many that they make a million comparisons, but not
+      // more than the picture has pixels.
       const int timed = int(std::clamp(1e6 / method.candidates, 16.0, pixels));
       const WordPair pair(width);
       const int items = for_some(pair, timed, [](int, int) {});
@@ -161,13 +165,13 @@ Experiment d20_search() {
               "picture a point is?",
           .axis = "width of the picture",
           .axis_unit = "px",
-          .error = "share of pixels with a wrong match",
+          .error = "fraction of pixels with a wrong match",
           .reference = "the disparity with which the pair was made, below a quarter of the width",
           .theory =
               "each of C candidates has the same 8 bits with probability p = 1/256, and the first "
-              "is taken: 1 - (1 - (1 - p)^C)/(C p), C = D along the row and W H anywhere (S2-11 in "
-              "docs/references.md). There are W H D and W^2 H^2 comparisons, so the time for a "
-              "pixel grows like W and like W^2",
+              "is taken: 1 - (1 - (1 - p)^C)/(C p), C = D along the row with D disparities, and W "
+              "H anywhere in a picture of W x H pixels (S2-11 in docs/references.md). There are W "
+              "H D and W^2 H^2 comparisons, so the time for a pixel grows like W and like W^2",
           .item = "pixel",
           .measures = {{.name = "comparisons",
                         .error = "comparisons for all pixels of the left picture",

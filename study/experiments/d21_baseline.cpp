@@ -13,7 +13,7 @@ namespace d21 {
 constexpr int kWidth = 160, kHeight = 96;
 constexpr double kFocal = 160;              // in px
 constexpr double kDepth = 5;                // distance of the wall's middle
-constexpr double kSlope = 0.5;              // of the wall
+constexpr double kSlope = 0.5;              // slope of the wall, dZ/dX
 constexpr double kPillars = 0.75 * kDepth;  // distance of the pillars, in front of the wall
 
 // A smooth random number in [0, 255] for each place of a surface, with eight random values per
@@ -50,7 +50,7 @@ struct Pair {
          shift = 0;  // shift: px the right picture is moved to keep the wall's middle in place
 };
 
-// Each pixel has four samples, and noise of up to 3 codes.
+// Makes the pictures: each pixel has four samples, and noise of up to 3 levels (of 255).
 Pair pictures(double baseline) {
   Pair pair;
   pair.baseline = baseline;
@@ -92,8 +92,8 @@ views::MatchSettings settings_for(const Pair& pair) {
   return settings;
 }
 
-// The RMS of Z/Z_true - 1 over all pixels, limited to 1 for each. Pixels that the right camera does
-// not see count too, because a picture of distances needs a value for them.
+// The RMS of Z/Z_true - 1 over all pixels; for each pixel it is limited to 1. Pixels that the right
+// camera does not see are included, because a picture of distances needs a value for them.
 double depth_error(double baseline_over_depth) {
   const Pair pair = pictures(baseline_over_depth * kDepth);
   const auto match = views::match_pictures(pair.left, pair.right, settings_for(pair));
@@ -121,15 +121,15 @@ double wall_at(double x) {
 // The part of the left picture that the right camera does not see, and the error of a guess of its
 // depth.
 struct OccludedPart {
-  double share = 0;             // of the picture
-  double least = 0, worst = 0;  // RMS of the relative errors
+  double share = 0;             // fraction of the picture
+  double least = 0, worst = 0;  // RMS of the relative errors of the best and the worst guess
 };
 
 OccludedPart predict_occluded_part(double baseline_over_depth) {
   const double product = kFocal * baseline_over_depth * kDepth, edge = kWidth / 2 / kFocal;
   const double nearest = wall_at(-edge), farthest = wall_at(edge);
-  // One side of each pillar hides the wall; at both sides of the picture, the wall is outside the
-  // other picture.
+  // The right camera does not see the wall behind one side of each pillar (`behind`), and at the
+  // sides of the picture it does not see what is outside its own picture (`beside`).
   const double behind = product * (1 / kPillars - 1 / kDepth);   // in px
   const double beside = product * (1 / nearest - 1 / farthest);  // in px
   const double period = 2 * kFocal / kPillars;                   // in px, from pillar to pillar
@@ -147,10 +147,11 @@ OccludedPart predict_occluded_part(double baseline_over_depth) {
   return result;
 }
 
-// Disparities that differ by less than views::kSmoothed are averaged over 25 pixels, which removes
-// at most four fifths of an error that is independent in each pixel. From a ratio of 0.1 on, the
-// guessed pixels matter. The pixels that both cameras see follow the law within a factor of two, as
-// everywhere, and the squares add.
+// Explains two ranges of the axis. Disparities that differ by less than views::kSmoothed are
+// averaged over 25 pixels, which removes at most four fifths of an error that is independent in
+// each pixel. From a ratio of 0.1 on, the pixels whose depth is guessed matter. The pixels that
+// both cameras see follow the law within a factor of two, as everywhere, and the squares of both
+// errors add.
 std::optional<Finding> finding(double baseline_over_depth) {
   const double step = kFocal * baseline_over_depth * kDepth * (1 / kPillars - 1 / kDepth);  // in px
   if (step < double(views::kSmoothed)) {
@@ -201,8 +202,9 @@ Experiment d21_baseline() {
       .error = "RMS relative error of the depth, of all pixels",
       .reference = "the depth of a leaning, textured wall behind pillars, from its formula",
       .theory =
-          "sigma_Z/Z = sigma_d Z/(f B) for an error of the disparity of sigma_d = 1/4 px (S2-13 in "
-          "docs/references.md), as long as everything is matched",
+          "sigma_Z/Z = sigma_d Z/(f B) for the depth Z, the focal length f, the baseline B and an "
+          "error of the disparity of sigma_d = 1/4 px (S2-13 in docs/references.md), as long as "
+          "everything is matched",
       .item = "pixel",
       .axis_is_chosen = true,
       .configurations = configurations};

@@ -69,7 +69,7 @@ double median_condition(int count, bool normalised) {
 
 struct Conditions {
   int matches;
-  double raw, normalised;  // as log10
+  double raw, normalised;  // log10 of the condition number
 };
 // The condition numbers that the literature gives (B.8).
 constexpr Conditions kConditions[] = {{8, 5.5, 2.3}, {20, 4.95, 1.8}, {50, 4.7, 1.6}};
@@ -120,25 +120,26 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d22_samples() {
   using namespace d22;
-  return {.id = "D-22",
-          .name = "Random samples against outliers",
-          .question =
-              "How many samples does a robust estimate of two cameras need, and what does it save "
-              "to use five matches per sample?",
-          .axis = "share of outliers",
-          .logarithmic_axis = false,
-          .error = "median number of samples until one without an outlier is likely enough",
-          .reference =
-              "200 matches with a noise of 1/10 px, and outliers anywhere; the threshold is 2 px",
-          .theory =
-              "log(0.01)/log(1 - w^k), w the share of inliers, k the matches per sample (Fischler "
-              "and Bolles 1981); condition numbers are measured (B.8 in docs/references.md)",
-          .item = "estimate",
-          .measures = {{.name = "condition",
-                        .error = "median condition number of the system of n matches",
-                        .error_unit = "",
-                        .axis = "matches"}},
-          .configurations = configurations};
+  return {
+      .id = "D-22",
+      .name = "Random samples against outliers",
+      .question =
+          "How many samples does a robust estimate of two cameras need, and what does it save "
+          "to use five matches per sample?",
+      .axis = "fraction of outliers",
+      .logarithmic_axis = false,
+      .error = "median number of samples until one without an outlier is likely enough",
+      .reference =
+          "200 matches with a noise of 1/10 px, and outliers anywhere; the threshold is 2 px",
+      .theory =
+          "log(0.01)/log(1 - w^k), w the fraction of inliers, k the matches per sample (Fischler "
+          "and Bolles 1981); condition numbers are measured (B.8 in docs/references.md)",
+      .item = "estimate",
+      .measures = {{.name = "condition",
+                    .error = "median condition number of the system of n matches",
+                    .error_unit = "",
+                    .axis = "matches"}},
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

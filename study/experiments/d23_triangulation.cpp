@@ -26,8 +26,8 @@ Setup converging(double degrees, double away) {
   return {rig_at(centre, turned_by(0, std::tan(half), 0)), point};
 }
 
-// The point is in the middle of both pictures, and the pixels have noise: mean and mean square of
-// the triangulated points.
+// The mean and the root mean square of the errors of triangulated points, if the pixels have noise.
+// The point is in the middle of both pictures.
 struct Spread {
   views::Vector3d mean = views::Vector3d::Zero();
   double rms = 0;

@@ -41,7 +41,7 @@ std::string series_of(Blend blend) {
 enum class Surface {
   kShiny,  // highlights move over it as the eye moves
   kDull,   // a point has the same light for all eyes: only the resampling of the pictures is left
-  // resampling changes nothing either: an error would come from pixels of something else
+  // resampling changes nothing either: an error could only come from pixels of something else
   kOneColor,
 };
 const char* name_of(Surface surface) {
@@ -115,7 +115,7 @@ std::shared_ptr<const Ring> ring_of(Surface surface, double degrees,
   return std::make_shared<const Ring>(surface, degrees, times_finer);
 }
 
-// ---- weights over the middle between two views ----
+// ---- how weights change at the middle between two views ----
 
 constexpr double kStep = 1e-6;  // in radians
 
@@ -137,9 +137,12 @@ double jump_of(double degrees, Blend blend) {
   return most;
 }
 
-// For the weights sin(d - x) and sin x divided by their sum: the derivative at the middle. For
-// neighbours at d/2, d/2, 3d/2, 3d/2, with the next one at 5d/2, w(a) = 1/a - 2/5d: the odd part of
-// the nearest one's derivative, 4/d^2, divided by the sum of all four, (8/3 + 16/15)/d = 56/15 d.
+// Predicts the change of a weight in a step across the middle; d is the angle between two views.
+// Barycentric weights are sin(d - x) and sin x divided by their sum; their derivative at the middle
+// is 1/(2 tan(d/2)). The four neighbours are at the angles a = d/2, d/2, 3d/2, 3d/2 and the next
+// view is at 5d/2; their weights are w(a) = 1/a - 2/(5d), divided by the sum of all four, (8/3 +
+// 16/15)/d = 56/(15 d). By symmetry, only the derivative of the nearest view's 1/a, which is 4/d^2,
+// changes the weight across the middle.
 double predicted_jump(double degrees, Blend blend) {
   const double d = degrees * kDegree;
   if (blend == Blend::kNearest) return 1;
@@ -147,9 +150,10 @@ double predicted_jump(double degrees, Blend blend) {
   return kStep * 4 * 15 / (56 * d);
 }
 
-// The error of a dull surface comes from the pixels of the pictures; a shiny one has the error of
-// its light in addition, and the squares add. The error of the light is proportional to the angle
-// or its square; the constant is taken from the widest spacing, where it is most of the error.
+// The error of a dull surface comes from the resampling of the pictures; a shiny surface has the
+// error of its highlights in addition, and the squares add. The error of the highlights is
+// proportional to the angle or its square (`power_`); the constant is taken from the widest
+// spacing, where it is most of the error.
 class PredictedError {
 public:
   PredictedError(Blend blend, double widest, const Ring& dull, const Ring& shiny)
@@ -179,7 +183,7 @@ void add_spacing(Blend blend, double degrees, const PredictedError& law,
                    .work = [=](int) { do_not_optimize(ring->drawn_by(blend)); }});
   };
   add(Surface::kShiny, shiny, law.at(degrees, dull->rms_of(blend)));
-  // For a dull surface, the angle makes no difference.
+  // A dull surface looks the same from all sides, so the angle makes no difference.
   add(Surface::kDull, dull, resampling_at_widest);
   add(Surface::kOneColor, ring_of(Surface::kOneColor, degrees), 0);
   all.push_back({.series = series_of(blend),

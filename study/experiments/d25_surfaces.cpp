@@ -39,21 +39,22 @@ std::string series_of(Polygoniser polygoniser) {
   return {};
 }
 
-// ---- solids whose volume is known: distance to the surface, positive inside, lattice units ----
+// ---- solids whose volume is known; depth is the distance from the surface, positive inside ----
 
 struct Solid {
   std::string name;
-  double size;          // half of the lattice's width, in units of the axis
-  double volume, area;  // for the size 1 of the axis; they grow with its third and second power
-  double lost;          // (1 - V / V_exact) times the square of the axis
+  double size;          // half of the lattice's width at scale 1
+  double volume, area;  // at scale 1; they grow with the third and second power of scale
+  double lost;          // (1 - V / V_exact) times the square of the scale
   std::function<double(const Vector3d& p, double scale)> depth;
 };
 
 const std::vector<Solid>& solids() {
-  // On average over a cell, linear interpolation of f along the lattice is too low by h^2/12 times
-  // the sum of f's second derivatives. For a distance, that sum is the sum of the surface's
-  // curvatures k1 + k2. So a solid loses h^2/12 times the integral of k1 + k2 over its surface: 8
-  // pi r for a sphere, 4 pi^2 R for a torus with any tube.
+  // On average over a cell, linear interpolation of a function f along the lattice is too low by
+  // h^2/12 times the sum of the second derivatives of f (h: the distance of two lattice points). If
+  // f is a distance from a surface, that sum is the sum of the surface's curvatures k1 + k2. So a
+  // solid loses h^2/12 times the integral of k1 + k2 over its surface: 8 pi r for a sphere, 4 pi^2
+  // R for a torus with any tube.
   static const std::vector<Solid> all{
       {"sphere", 1.0, 4 * kPi / 3, 4 * kPi, 8 * kPi / 12 / (4 * kPi / 3),
        [](const Vector3d& p, double scale) { return scale - p.norm(); }},
@@ -65,7 +66,7 @@ const std::vector<Solid>& solids() {
   return all;
 }
 
-// The solid is turned, and its centre is anywhere in a cell.
+// Makes the lattice of a solid that is turned and whose centre is anywhere in a cell.
 ScalarField field_of(const Solid& solid, double scale, const Vector3d& middle) {
   const int count = int(std::ceil(2 * solid.size * scale)) + 4;
   ScalarField field(count, count, count);
@@ -85,7 +86,7 @@ ScalarField field_of(const Solid& solid, double scale, const Vector3d& middle) {
 }
 
 struct Surfaces {
-  double lost = 0;       // mean share of the volume
+  double lost = 0;       // mean fraction of the volume
   double triangles = 0;  // per square lattice unit of the true surface
 };
 
@@ -104,10 +105,11 @@ Surfaces surfaces_of(const Solid& solid, double scale, Polygoniser polygoniser, 
   return mean;
 }
 
-// A mesh has as many corners as there are crossed lattice edges: a surface of area 1 with normal n
-// crosses |n . e| edges of each direction e, whose mean over all n is half of the length of e. It
-// has twice as many triangles as corners. Cubes have three directions of length 1; tetrahedra also
-// have three of sqrt(2) and one of sqrt(3).
+// Predicts the number of triangles per unit of area. A mesh has as many corners as there are
+// crossed lattice edges: a surface of area 1 with normal n crosses |n . e| edges of each direction
+// e, whose mean over all n is half of the length of e. It has twice as many triangles as corners.
+// Cubes have three directions of length 1; tetrahedra also have three of sqrt(2) and one of
+// sqrt(3).
 double predicted_triangles(Polygoniser polygoniser) {
   if (polygoniser == Polygoniser::kTetrahedra)
     return 3 + 3 * std::numbers::sqrt2 + std::numbers::sqrt3;
@@ -135,11 +137,11 @@ void add_solid(const Solid& solid, double scale, Polygoniser polygoniser, int pl
                  .predicted_error = predicted_triangles(polygoniser)});
 }
 
-// ---- fields of which nothing is known ----
+// ---- random fields ----
 
 constexpr int kSide = 9;  // corners of a random field
 
-// A field whose corners are inside with this probability.
+// A field in which each corner is inside the solid with the probability `share`.
 ScalarField random_field(double share, Random& random) {
   ScalarField field(kSide, kSide, kSide);
   for (double& value : field.values)
@@ -147,7 +149,7 @@ ScalarField random_field(double share, Random& random) {
   return field;
 }
 
-// The number of open edges per face of the lattice.
+// The number of open edges (which only one triangle has) per face of the lattice.
 double holes_of(double share, Polygoniser polygoniser, int fields) {
   Random random(250);
   double holes = 0;
@@ -159,10 +161,11 @@ double holes_of(double share, Polygoniser polygoniser, int fields) {
   return holes / (3.0 * kSide * (kSide - 1) * (kSide - 1) * fields);
 }
 
-// A face is ambiguous with the probability 2 p^2 q^2. A cell with two of its corners inside on that
-// face has more than four inside if three or four of its other four corners are. A hole has four
-// edges, and appears where this holds for one of the two cells but not for the other. It never
-// holds beyond the lattice.
+// The naive table leaves a hole of four open edges where two cells treat an ambiguous face
+// differently. A face is ambiguous with the probability 2 p^2 q^2 (p: a corner is inside; q = 1 -
+// p). A cell treats it differently if more than four of its corners are inside: two on this face,
+// and three or four of the other four. A hole appears if this is true for one of the two cells at
+// the face and not for the other; beyond the lattice it is never true.
 double predicted_holes(double p, Polygoniser polygoniser) {
   if (polygoniser != Polygoniser::kNaive) return 0;
   const double q = 1 - p, more = 4 * p * p * p * q + p * p * p * p;
@@ -209,15 +212,16 @@ Experiment d25_surfaces() {
       .question =
           "Which way of making a surface around a solid leaves no holes, and what does it cost?",
       .axis = "radius, in cells",
-      .error = "volume that a solid loses, as a share of it",
+      .error = "volume that a solid loses, as a fraction of its volume",
       .reference = "the solid's formula; the torus has a ring of 2.5 times its tube's radius",
       .theory =
           "linear interpolation of a distance loses h^2/12 times the integral of k1 + k2 over the "
-          "surface (S1-39 in docs/references.md): (h/r)^2/2 of a sphere, (h/a)^2/6 of a torus. "
-          "There are twice as many triangles as crossed edges: 3/2 crossed edges for each square "
-          "of a cell, (3 + 3 sqrt 2 + sqrt 3)/2 with the diagonals of tetrahedra. The fifteen "
-          "cases leave four open edges on an ambiguous face if one of its cells has more than four "
-          "corners inside and the other has not",
+          "surface (S1-39 in docs/references.md), where h is the size of a cell and k1 and k2 are "
+          "the principal curvatures: (h/r)^2/2 of the volume of a sphere of radius r, (h/a)^2/6 of "
+          "a torus whose tube has the radius a. There are twice as many triangles as crossed "
+          "edges: 3/2 crossed edges for each square of a cell, (3 + 3 sqrt 2 + sqrt 3)/2 with the "
+          "diagonals of tetrahedra. The fifteen cases leave four open edges on an ambiguous face "
+          "if one of its cells has more than four corners inside and the other has not",
       .item = "corner of the lattice",
       .measures = {{.name = kTriangles,
                     .error = "triangles for each square of a cell's side of the true surface",
@@ -225,7 +229,7 @@ Experiment d25_surfaces() {
                    {.name = kHoles,
                     .error = "edges that are not in two triangles, for each face of the lattice",
                     .error_unit = "",
-                    .axis = "share of the corners that are inside",
+                    .axis = "fraction of the corners that are inside",
                     .logarithmic_axis = false}},
       .configurations = configurations};
 }

@@ -21,7 +21,7 @@ namespace glassbox::study::d26 {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// The sum of the squared distances to planes (n, d): x A x + 2 b x + c.
+// The sum of the squared distances of a point x to planes n . x + d = 0, as x A x + 2 b x + c.
 class Quadric {
 public:
   static Quadric of_plane(const glm::dvec3& normal, double offset, double weight) {
@@ -66,7 +66,7 @@ public:
     for (const Face& face : mesh.faces) {
       Triangle t;
       for (std::size_t k = 0; k < 3; ++k) t[k] = vertex_of[mesh.corners[face.first + k].position];
-      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;  // at a pole
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;  // no area, at a pole
       for (const std::uint32_t v : t) around_[v].push_back(std::uint32_t(triangles_.size()));
       triangles_.push_back(t);
     }
@@ -137,8 +137,8 @@ private:
   }
 
   // Adds up the planes of a vertex's triangles. At the border of the surface it adds planes that
-  // are perpendicular to the surface along the border edge; they count a hundred times, so that the
-  // border stays.
+  // are perpendicular to the surface along the border edge; their weight is a hundred times larger,
+  // so that the border stays where it is.
   void make_quadrics() {
     constexpr double kEdgeWeight = 100;
     quadrics_.resize(places_.size());
@@ -174,8 +174,9 @@ private:
     for (const std::uint32_t n : neighbours_of(v)) add_candidate(v, n), add_candidate(n, v);
   }
 
-  // If the only common neighbours of the two are those of the triangles between them, the surface
-  // keeps its topology. In addition, no triangle may turn by more than 80 degrees.
+  // If the two vertices have no common neighbours except the third corners of the triangles at
+  // their edge, the surface keeps its topology. In addition, no triangle may turn by more than 80
+  // degrees.
   bool may_collapse(std::uint32_t gone, std::uint32_t kept) const {
     constexpr double kLeastCosine = 0.17;
     if (place_of(gone) != gone || place_of(kept) != kept) return false;
@@ -187,7 +188,7 @@ private:
     if (common != shared) return false;
     return std::ranges::all_of(around_[gone], [&](std::uint32_t index) {
       Triangle t = triangles_[index];
-      if (std::ranges::count(t, kept) > 0) return true;  // it disappears
+      if (std::ranges::count(t, kept) > 0) return true;  // this triangle disappears
       const glm::dvec3 before = area_vector(t);
       std::ranges::replace(t, gone, kept);
       const glm::dvec3 after = area_vector(t);

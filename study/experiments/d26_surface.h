@@ -34,12 +34,12 @@ public:
   explicit Surface(std::size_t patch) {
     for (std::size_t i = 0; i < 16; ++i) {
       const auto& p = kTeapotPoints[kTeapotPatches[patch][i]];
-      rows_[i / 4][i % 4] = {p[0], p[2], -p[1]};  // z up to y up
+      rows_[i / 4][i % 4] = {p[0], p[2], -p[1]};  // from z up to y up
     }
   }
 
   SurfacePoint at(double u, double v) const {
-    Curve across, along, bend;  // the curve down the rows, at u
+    Curve across, along, bend;  // points and derivatives of all rows at u
     for (std::size_t row = 0; row < 4; ++row) {
       const CurvePoint p = de_casteljau(rows_[row], u);
       across[row] = p.at, along[row] = p.along, bend[row] = p.bend;

@@ -43,7 +43,7 @@ View view_of_teapot() {
   return *make_view(camera, kWidth, kHeight);
 }
 
-// The number of pixels that a unit of length across the line of sight has at a place.
+// The number of pixels that a unit of length, across the line of sight, covers at a place.
 class Magnification {
 public:
   Magnification() {
@@ -62,15 +62,15 @@ private:
 
 // ---- the error ----
 
-// A triangle, and where its corners are on their patch.
+// A triangle, and the parameters (u, v) of its corners on their patch.
 struct Piece {
   std::size_t patch = 0;
   std::array<glm::dvec3, 3> corners;
   std::array<glm::dvec2, 3> uv;
 };
 
-// The faces are stored patch by patch; only the last face of a patch has the corners (1, 1) and (1,
-// 1 - 1/level).
+// Visits all triangles. The faces are stored patch by patch; only the last face of a patch has the
+// corners (1, 1) and (1, 1 - 1/level), so the next patch begins after it.
 template <class Visit>
 void for_each_piece(const Mesh& mesh, int level, const Visit& visit) {
   Piece piece;
@@ -92,9 +92,9 @@ void for_each_piece(const Mesh& mesh, int level, const Visit& visit) {
   }
 }
 
-// The distance along the normal between the surface and a triangle, at the midpoints of its sides
-// and at its centre: this part of an error moves an outline, from any direction. A displacement
-// along the surface moves nothing visible.
+// The largest distance along the normal between the surface and a triangle, at the midpoints of the
+// triangle's sides and at its centre, in px. Only this part of an error moves an outline, for any
+// direction of the view. A displacement along the surface moves nothing visible.
 double largest_deviation_px(int level) {
   constexpr std::array<std::array<double, 3>, 4> kPlaces{
       {{0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1.0 / 3, 1.0 / 3, 1.0 / 3}}};
@@ -119,7 +119,7 @@ double largest_deviation_px(int level) {
 
 // ---- fewer triangles of a fine mesh ----
 
-// The level of the fine teapot, whose corners are on the surface.
+// The level of the fine teapot that is decimated; all its corners are on the exact surface.
 int source_level(Effort effort) {
   return effort == Effort::kFull ? 64 : 16;
 }
@@ -130,8 +130,8 @@ d26::Decimation decimated(int source, std::size_t triangles) {
   return mesh;
 }
 
-// The distance from each corner of the fine mesh to the nearest triangle around the vertex into
-// which it was collapsed.
+// The largest distance, in px, from a corner of the fine mesh to the nearest triangle around the
+// vertex into which it was collapsed.
 double largest_deviation_px(const d26::Decimation& mesh) {
   const Magnification magnification;
   double largest = 0;
@@ -146,7 +146,7 @@ double largest_deviation_px(const d26::Decimation& mesh) {
   return largest;
 }
 
-// Corners keep their normals.
+// Makes a scene of the decimated mesh, whose corners keep their normals.
 Scene scene_of(const d26::Decimation& decimated, int source) {
   Scene scene = make_teapot(source);
   Mesh& mesh = scene.meshes.front();
@@ -183,8 +183,8 @@ Mask silhouette(const Scene& scene) {
   return mask;
 }
 
-// A curve of length l that runs in all directions crosses 4 l/pi pairs of neighbouring pixels
-// (Cauchy and Crofton).
+// The length of an outline in px. A curve of length l that runs in all directions crosses 4 l/pi
+// pairs of neighbouring pixels (Cauchy and Crofton).
 double outline_px(const Mask& mask) {
   int crossings = 0;
   for (int y = 1; y < mask.height; ++y) {
@@ -196,7 +196,7 @@ double outline_px(const Mask& mask) {
   return crossings * kPi / 4;
 }
 
-// The area between the two outlines, per pixel of their length.
+// The area between the outline of `mask` and the exact one, per pixel of the outline's length.
 double outline_shift_px(const Mask& mask) {
   static const Mask right = silhouette(make_teapot(kFineLevel));
   static const double length = outline_px(right);
@@ -207,9 +207,9 @@ double outline_shift_px(const Mask& mask) {
 
 // ---- the theory ----
 
-// A chord of length h in the parameters misses the middle of its arc by h^2/8 of the second
-// derivative (the next term of the Taylor series is of the order h^4). Sides run along u, along v
-// and along both.
+// A side of a triangle is a chord of length h = 1 / level in the parameters. It misses the middle
+// of its arc by h^2/8 times the second derivative (the next term of the Taylor series is of the
+// order h^4). Sides run along u, along v and along the diagonal.
 double predict_px(int level) {
   static const double largest_at_level_1 = [] {
     const Magnification magnification;
@@ -237,7 +237,7 @@ double predict_px(int level) {
 }
 
 // Visits the surface at the cell centres of a grid on each patch, except at poles: the point, its
-// unit normal, and its share of the patch's parameters.
+// unit normal, and the cell's fraction of the patch's parameters.
 template <class Visit>
 void for_each_place(const Visit& visit) {
   constexpr int kGrid = 64;
@@ -254,10 +254,11 @@ void for_each_place(const Visit& visit) {
   }
 }
 
-// Triangles with their corners on a surface of curvature K cannot be nearer to it than 2/(3 sqrt 3)
-// of the integral of sqrt|K|, divided by their number. The best ones are all equilateral if the
-// curvature is the measure of length (D'Azevedo and Simpson 1989). sqrt|K| dA is sqrt|L N - M^2| du
-// dv.
+// Triangles with their corners on a surface have a largest distance from it of at least 2/(3 sqrt
+// 3) times the integral of sqrt|K| over the surface, divided by the number of triangles (K: the
+// Gaussian curvature). The best triangles are all equilateral if lengths are measured by the
+// curvature (D'Azevedo and Simpson 1989). In the parameters, sqrt|K| dA is sqrt|L N - M^2| du dv,
+// with the second fundamental form L, M, N.
 double predict_least_px(std::size_t triangles) {
   static const double integral = [] {
     const Magnification magnification;
@@ -272,11 +273,12 @@ double predict_least_px(std::size_t triangles) {
   return 2 / (3 * std::sqrt(3.0)) * integral / double(triangles);
 }
 
-// An outline runs along sides: their midpoints have an error of h^2/8 of the second derivative
-// along the side, and 2/3 of that on average. It runs between corners next to the line where the
-// surface is seen edge-on, up to h/2 away from it, which adds an error of h^2/24 of the second
-// derivative across. With the same mean for both derivatives, along u and v where the surface is
-// edge-on, the sum is h^2/8.
+// An outline runs along sides of triangles. Their midpoints have an error of h^2/8 times the second
+// derivative along the side (h: the length of a side), and the mean over a side is 2/3 of that. The
+// outline runs between corners next to the line where the surface is seen edge-on, up to h/2 away
+// from it, which adds an error of h^2/24 times the second derivative across. If both derivatives
+// have the same mean (taken along u and v where the surface is edge-on), the sum is h^2/8 times
+// this mean.
 double predict_outline_px(int level) {
   static const double mean_at_level_1 = [] {
     const Magnification magnification;
@@ -297,8 +299,8 @@ double predict_outline_px(int level) {
   return mean_at_level_1 / (double(level) * level);
 }
 
-// The same for equilateral triangles, whose error at the midpoints of the sides is 3/4 of that at
-// the centre.
+// The least error of an outline, of equilateral triangles: their error at the midpoints of the
+// sides is 3/4 of that at the centre.
 double predict_least_outline_px(std::size_t triangles) {
   return predict_least_px(triangles) * 3 / 4;
 }

@@ -21,8 +21,8 @@ namespace d27 {
 
 __extension__ typedef __int128 Int128;
 
-// Counts by the definition: the edges' coefficients in 128 bits, for every pixel of the window,
-// without bounding boxes.
+// Counts how many triangles cover each pixel, by the definition: the edges' coefficients in 128
+// bits, for every pixel of the window, without bounding boxes.
 void count_by_definition(const TriangleSetup& t, Counts& counts) {
   for (int y = 0; y < kShapesSide; ++y) {
     for (int x = 0; x < kShapesSide; ++x) {
@@ -89,7 +89,7 @@ void add_kind(const std::shared_ptr<Kind>& kind, double size, std::vector<Config
                    .items = double(kind->triangles.size()) * times});
   };
   const int times = size < 10 ? 64 : 8;
-  for (const auto& [name, walk] : kWalks) {
+  for (const auto& [name, walk] : kTraversals) {
     const auto counts = std::make_shared<Counts>(kShapesSide, kShapesSide);
     add(
         name,

@@ -22,7 +22,7 @@ inline std::int64_t value_at(const EdgeFunction& edge, int x, int y) {
                  std::int64_t(y) * kSubpixels + kPixelCentre);
 }
 
-// The smallest value that counts as covered.
+// The smallest value of the edge function at which a pixel counts as covered.
 inline std::int64_t least(const EdgeFunction& edge) {
   return edge.owns_zero ? 0 : 1;
 }
@@ -41,7 +41,8 @@ inline void walk_box(const TriangleSetup& t, Counts& counts) {
   }
 }
 
-// The pipeline's staged coverage: one addition per edge for each pixel of the box.
+// Uses the coverage of the pipeline's staged engine: one addition per edge for each pixel of the
+// box.
 inline void walk_incrementally(const TriangleSetup& t, Counts& counts) {
   for_each_covered(t, kWindow, [&](const Coverage& pixel) { ++counts.at(pixel.x, pixel.y); });
 }
@@ -56,7 +57,7 @@ inline void walk_rows(const TriangleSetup& t, Counts& counts) {
   for (int y = box.y0; y < box.y1; ++y) {
     std::int64_t x0 = box.x0, x1 = box.x1;
     for (const EdgeFunction& e : t.edges) {
-      // Pixel x is inside if first + step x >= 0.
+      // For this edge, pixel x is inside if first + step x >= 0.
       const std::int64_t first = value_at(e, 0, y) - least(e), step = e.a * kSubpixels;
       if (step > 0) x0 = std::max(x0, floor_div(-first + step - 1, step));
       if (step < 0) x1 = std::min(x1, floor_div(first, -step) + 1);
@@ -101,10 +102,10 @@ struct NamedWalk {
   const char* name;
   Walk walk;
 };
-inline constexpr NamedWalk kWalks[] = {{"whole box, edges computed for each pixel", walk_box},
-                                       {"whole box, incremental", walk_incrementally},
-                                       {"scan lines", walk_rows},
-                                       {"8x8 blocks", walk_blocks}};
+inline constexpr NamedWalk kTraversals[] = {{"whole box, edges computed for each pixel", walk_box},
+                                            {"whole box, incremental", walk_incrementally},
+                                            {"scan lines", walk_rows},
+                                            {"8x8 blocks", walk_blocks}};
 
 // ---- the tile engine's kernel ----
 

@@ -1,5 +1,5 @@
 // Measures what is saved by leaving out work that a scene does not need, one decision of the plan
-// after the other (D-28).
+// at a time (D-28).
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -187,13 +187,13 @@ Configuration configuration(const std::string& series, bool on, Planner planner,
 struct OneDecision {
   const char* series;
   Planner planner;
-  // first those where the decision helps, then those where it does not
+  // first the scenes where the decision helps, then those where it does not
   std::vector<std::shared_ptr<PlannedScene>> scenes;
 };
 
 std::vector<OneDecision> decisions_on_scenes(Effort effort) {
-  // Fine enough that its triangles are small: large ones are set up by the staged stages with every
-  // plan.
+  // The teapot has so many triangles that they are small: the stages of the staged engine would set
+  // up large triangles with every plan.
   const char* teapot_name = effort == Effort::kQuick ? "teapot" : "teapot:24";
   const auto teapot = builtin(teapot_name, "teapot", {});
   const auto depth = builtin(teapot_name, "teapot, depth only", depth_only());

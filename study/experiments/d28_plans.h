@@ -1,4 +1,4 @@
-// The plans of the elision experiment (D-28): nothing is left out except by one decision.
+// The plans of the elision experiment (D-28): each leaves out only what one decision allows.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace glassbox::study::d28 {
 
-// ---- plans with one decision: what `take` copies of the plan that leaves out all it can ----
+// ---- plans with one decision: `take` copies it from the plan that leaves out all it can ----
 
 using Take = void (*)(const Plan& with, Plan& plan);
 
@@ -24,8 +24,8 @@ std::vector<Plan> plan_only(std::span<const PlannedEye> eyes, bool) {
 inline std::vector<Plan> plan_nothing(std::span<const PlannedEye> eyes, bool) {
   return make_plans(eyes, false);
 }
-// Takes no decision. It makes two plans, like the functions with one decision, so that both sides
-// include the time of planning.
+// Copies no decision. plan_only() still makes two plans, so that both sides of a comparison include
+// the same time of planning.
 inline void take_none(const Plan&, Plan&) {}
 
 template <class Copy>
@@ -61,14 +61,15 @@ inline void take_normals(const Plan& with, Plan& plan) {
     to.face_normals = from.face_normals;
   });
 }
-// Without highlights, the position of the surface is not needed.
+// Without highlights, the position of the surface is not needed, so the two decisions are one.
 inline void take_highlights(const Plan& with, Plan& plan) {
   for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) {
     to.highlights = from.highlights;
     to.eye_positions = from.eye_positions;
   });
 }
-// A draw outside the picture has no place in the other plan's order; here it is kept and gets one.
+// Copies the order of drawing. A draw outside the picture is not in the other plan's order; here it
+// is kept, and drawn last.
 inline void take_order(const Plan& with, Plan& plan) {
   std::vector<std::uint32_t> order = with.order;
   for (const std::uint32_t draw : plan.order) {
@@ -77,7 +78,8 @@ inline void take_order(const Plan& with, Plan& plan) {
   plan.order = std::move(order);
   plan.moved = with.moved;
 }
-// The draws in front must come first, so this also takes the order.
+// Copies which draws are hidden. The draws that hide them must come first, so this also copies the
+// order.
 inline void take_hidden(const Plan& with, Plan& plan) {
   take_order(with, plan);
   for_methods(with, plan, [](const DrawMethod& from, DrawMethod& to) { to.drawn = !from.hidden; });

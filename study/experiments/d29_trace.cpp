@@ -34,7 +34,7 @@ std::shared_ptr<const TracedScene> make_traced_scene(const std::string& name, in
 
 // ---- methods to run it ----
 
-// Every stage calls this observer, which stores nothing.
+// An observer that every stage calls; it counts the events and stores nothing else.
 class Counter : public Observer {
 public:
   void projected(const Draw&, std::uint32_t, Point<Clip>&) override { ++events; }

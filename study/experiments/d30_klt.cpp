@@ -23,7 +23,8 @@ std::shared_ptr<const Planet> planet_of(int width) {
   return std::make_shared<const Planet>(Planet{std::move(bands), std::move(klt)});
 }
 
-// Six standard deviations, three on each side, in 255 steps.
+// The step between two byte values of a component: 255 steps cover six standard deviations, three
+// on each side of the mean.
 double step_of(const views::Klt& klt, int component) {
   return 6 * std::sqrt(klt.eigenvalues[component]) / 255;
 }
@@ -54,8 +55,8 @@ views::Bands from_bytes(const Planet& planet, int kept) {
       planet.bands);
 }
 
-// The bands themselves, ordered by variance, the largest first; the mean replaces those that are
-// left out.
+// The numbers of the bands, ordered by variance, the largest first. If the bands themselves are
+// kept instead of components, the mean replaces the bands that are left out.
 std::vector<int> bands_by_variance(const views::Klt& klt) {
   std::vector<int> order;
   for (int b = 0; b < int(klt.mean.size()); ++b) order.push_back(b);
@@ -77,8 +78,8 @@ double variance_without(const views::Klt& klt, int kept) {
   return sum;
 }
 
-// Storing components as bytes adds the rounding error to the loss, within a tenth as long as the
-// steps are small compared with the stored values.
+// Storing components as bytes adds the rounding error to the loss. The sum is right within a tenth
+// as long as the steps are small compared with the stored values.
 std::optional<Finding> finding_of_bytes(const views::Klt& klt, int kept) {
   const double added = rounding_of(klt, kept) / klt.truncation_error(kept);
   if (added < 0.5) return std::nullopt;
@@ -92,7 +93,7 @@ std::vector<Configuration> configurations(Effort effort) {
   const views::Klt& klt = planet->klt;
   std::vector<Configuration> all;
   // If all components are kept, only rounding errors are left, and the theory does not predict
-  // those.
+  // rounding errors.
   for (int kept = 1; kept < planet->bands.count(); ++kept) {
     const auto add = [&](const char* series, auto again, double predicted,
                          std::optional<Finding> finding) {

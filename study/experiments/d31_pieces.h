@@ -1,4 +1,5 @@
-// Pixels that a triangle covers partly (D-31): the exact share, and the samples that estimate it.
+// Pixels that a triangle covers partly (D-31): the exact fraction, and the samples that estimate
+// it.
 #pragma once
 
 #include <algorithm>
@@ -14,20 +15,20 @@
 
 namespace glassbox::study::d31 {
 
-// A triangle in whole 1/256 px, in the order that makes its edge functions positive inside, and one
-// pixel that it touches.
+// A triangle with corners in whole 1/256 px, in the order that makes its edge functions positive
+// inside, and one pixel that it touches.
 struct Piece {
   std::array<SnappedVertex, 3> corners;
   std::array<EdgeFunction, 3> edges;
   int x = 0, y = 0;
 };
 
-// ---- the share of a pixel by clipping: T is the exact rational, or double ----
+// ---- the covered fraction of a pixel by clipping: T is the exact rational, or double ----
 
 template <class T>
 using Polygon = std::vector<std::array<T, 2>>;
 
-// Keeps the part with sign * p[axis] >= sign * limit.
+// Keeps the part of the polygon with sign * p[axis] >= sign * limit.
 template <class T>
 Polygon<T> clip_to(const Polygon<T>& polygon, std::size_t axis, int limit, int sign) {
   Polygon<T> kept;
@@ -80,12 +81,12 @@ inline std::array<int, 2> cells(int samples) {
   return {samples == 4 ? 2 : samples / rows, samples == 4 ? 2 : rows};
 }
 
-// A rotated grid that fills the pixel, so that the samples of neighbouring pixels continue it. It
-// is a lattice of S + 1 points, in which each row advances by k columns, without the point in the
-// corner: one sample in each of S columns and S rows. For 4 and 16 samples, where S + 1 is a sum of
-// two squares, it is a square lattice rotated by arctan(1/2) and arctan(1/4). (The S points of an
-// unbounded lattice that are nearest to the centre do not fill a pixel: 16 of them did worse than
-// 8.)
+// A rotated grid of S samples (`samples`) that fills the pixel, so that the samples of neighbouring
+// pixels continue it. It is a lattice of S + 1 points, in which each row advances by k columns,
+// without the point in the corner: one sample in each of S columns and S rows. For 4 and 16
+// samples, where S + 1 is a sum of two squares, it is a square lattice rotated by arctan(1/2) and
+// arctan(1/4). (The S points of an unbounded lattice that are nearest to the centre do not fill a
+// pixel: 16 such points had larger errors than 8.)
 inline Positions rotated(int samples) {
   const int k = samples == 2 ? 2 : samples == 4 ? 3 : samples == 8 ? 7 : 4;
   const auto place = [&](int i) { return (2 * i + 1) * kSubpixels / (2 * samples); };

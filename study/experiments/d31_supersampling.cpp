@@ -1,4 +1,4 @@
-// Measures how well point samples estimate the share of a pixel that a triangle covers (D-31).
+// Measures how well point samples estimate the fraction of a pixel that a triangle covers (D-31).
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -71,7 +71,7 @@ Triangles forest() {
 
 struct Samples {
   std::vector<Piece> pieces;
-  std::vector<double> exact;  // the share, in rationals, rounded once; 0 < share < 1
+  std::vector<double> exact;  // covered fraction c, in rationals, rounded once; 0 < c < 1
   double squares = 0;         // mean of c (1 - c)
   double nearest = 0;         // mean of min(c, 1 - c)^2
 };
@@ -188,15 +188,16 @@ Experiment d31_supersampling() {
       .name = "Supersampling: where the samples of a pixel are",
       .question = "How smooth an edge do how many samples give, and where should they be?",
       .axis = "samples per pixel",
-      .error = "RMS error of the covered share, over partly covered pixels",
+      .error = "RMS error of the covered fraction, over partly covered pixels",
       .error_unit = "pixel",
       .reference = "the exact area of triangle and pixel, by clipping in rationals",
       .theory =
-          "m is the mean of c(1 - c) over the pixels. Random samples: sqrt(m/S), the binomial "
-          "variance. A cell of a grid of S cells has an error only if an edge crosses it, and a "
-          "line crosses sqrt(S) of the S cells on average (Cauchy-Crofton): sqrt(m) S^-3/4, which "
-          "is also true for regular patterns. One sample at the centre: RMS of min(c, 1 - c). "
-          "Analytic area: a few rounding errors of numbers below one pixel, 2^-53",
+          "m is the mean of c(1 - c) over the pixels, where c is the covered fraction of a pixel. "
+          "S random samples: sqrt(m/S), by the binomial variance. A cell of a grid of S cells has "
+          "an error only if an edge crosses it, and a line crosses sqrt(S) of the S cells on "
+          "average (Cauchy-Crofton): sqrt(m) S^-3/4, which is also true for regular patterns. One "
+          "sample at the centre: RMS of min(c, 1 - c). Analytic area: a few rounding errors of "
+          "numbers below one pixel, 2^-53",
       .item = "pixel",
       .axis_is_chosen = true,
       .configurations = configurations,

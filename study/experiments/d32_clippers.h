@@ -24,8 +24,9 @@ struct Lens {
   float near = 0, far = 0;
 };
 
-// Rounding may bend a sliver so that it crosses a plane more than twice. If k of n corners are
-// inside, there are at most 2 min(k, n - k) crossings, and clipping leaves at most 3n/2 corners.
+// The largest number of corners after clipping. Rounding may bend a sliver so that it crosses a
+// plane more than twice. If k of n corners are inside, there are at most 2 min(k, n - k) crossings,
+// and clipping leaves at most 3n/2 corners.
 constexpr std::size_t most_vertices() {
   std::size_t most = 3;
   for (std::size_t plane = 0; plane < kPlanes; ++plane) most = most * 3 / 2;
@@ -36,7 +37,7 @@ inline constexpr std::size_t kMostVertices = most_vertices();
 // The result of clipping, in clip space.
 struct Outline {
   std::array<Point<Clip>, kMostVertices> vertices;
-  // The plane that created the vertex last; -1: an original vertex.
+  // The last plane that created the vertex; -1: a vertex of the original triangle.
   std::array<std::int8_t, kMostVertices> cut_by{};
   std::size_t count = 0;
 };
@@ -55,7 +56,7 @@ struct EyeSpace {
 
   Vertex from_eye(const Point<Eye>& p) const { return p; }
   Point<Clip> to_clip_point(const Vertex& v) const { return to_clip(lens, v); }
-  // Needs a product and a sum for each side of the pyramid.
+  // The distance from a plane, up to a factor. Each side of the pyramid needs a product and a sum.
   double distance(std::size_t plane, const Vertex& v) const {
     switch (plane) {
       case 0:
@@ -72,7 +73,8 @@ struct EyeSpace {
         return double(lens.far) + double(v.z);
     }
   }
-  // x = -+z/a can only be rounded, so the computed x stays.
+  // Puts the vertex exactly on the near or the far plane. On the sides of the pyramid x = -+z/a
+  // would have to be rounded, so the computed x stays.
   void put_on(std::size_t plane, Vertex& v) const {
     if (plane == 4) v.z = -lens.near;
     if (plane == 5) v.z = -lens.far;
@@ -89,7 +91,7 @@ struct ClipSpace {
 
   Vertex from_eye(const Point<Eye>& p) const { return to_clip(lens, p); }
   Point<Clip> to_clip_point(const Vertex& v) const { return v; }
-  // Needs a sum, or nothing.
+  // The distance from a plane, up to a factor. It needs one sum, or nothing.
   double distance(std::size_t plane, const Vertex& v) const {
     switch (plane) {
       case 0:
@@ -106,7 +108,7 @@ struct ClipSpace {
         return double(v.w) - double(v.z);
     }
   }
-  // Sets x = -+w and so on, exactly.
+  // Puts the vertex exactly on the plane, for example x = -w.
   void put_on(std::size_t plane, Vertex& v) const {
     if (plane < 2) v.x = plane == 0 ? -v.w : v.w;
     if (plane == 2 || plane == 3) v.y = plane == 2 ? -v.w : v.w;
@@ -133,8 +135,8 @@ struct Polygon {
   }
 };
 
-// The crossing is the same from both ends of the edge (B.1): it is computed in double and rounded
-// once.
+// Clips the polygon at one plane. The point where an edge crosses the plane is the same in both
+// directions of the edge (B.1): it is computed in double and rounded once.
 template <class Space>
 Polygon<Space> cut(const Space& space, std::size_t plane, const Polygon<Space>& polygon) {
   std::array<double, kMostVertices> distances;
@@ -155,7 +157,8 @@ Polygon<Space> cut(const Space& space, std::size_t plane, const Polygon<Space>& 
   return kept;
 }
 
-// Tests outcodes first, because most triangles are inside all planes or outside one.
+// Clips a triangle. Outcodes are tested first, because most triangles are inside all planes or
+// completely outside one of them.
 template <class Space>
 void clip(const Space& space, const EyeTriangle& triangle, Outline& outline) {
   Polygon<Space> polygon;

@@ -79,8 +79,8 @@ void add_series(std::vector<Configuration>& all, const char* series, double pred
 
 std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
-  // Three rounding errors of relative size u each: the crossing's x and z, and the product of the
-  // projection.
+  // The bound in px: three rounding errors of relative size u (the unit roundoff, 2^-24), of the
+  // crossing's x and z and of the product of the projection, at half of the width.
   const double bound = 3 * double(unit_roundoff<float>) * kWidth / 2;
   add_series<EyeSpace>(all, "eye space, the pyramid", bound, effort);
   add_series<ClipSpace>(all, "clip space, the box", 0, effort);
@@ -104,10 +104,10 @@ Experiment d32_clipping() {
       .theory =
           "The distances from a plane of the pyramid and from a plane of the box are the same "
           "number, so in exact arithmetic both leave the same polygon. In floats, x = w can be set "
-          "exactly, but x = z/a only rounded: x, z and the projection's product by u each, 3 u "
-          "W/2. Each side of the pyramid costs one more product per vertex; the box costs the "
-          "projection of vertices that are discarded later, and a fourth coordinate for each "
-          "crossing",
+          "exactly, but x = z/a only rounded: x, z and the projection's product by u = 2^-24 each, "
+          "3 u W/2 px in a picture of width W. Each side of the pyramid costs one more product per "
+          "vertex; the box costs the projection of vertices that are discarded later, and a fourth "
+          "coordinate for each crossing",
       .item = "triangle",
       .configurations = configurations,
   };

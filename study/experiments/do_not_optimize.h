@@ -17,8 +17,7 @@ void do_not_optimize(const T& value) {
 #endif
 }
 
-// The work of a Configuration: calls `make` for each of the things, and repeats this `rounds`
-// times.
+// The work of a Configuration: calls `make` for each of `things`, and repeats this `rounds` times.
 template <class Things, class Make>
 std::function<void(int)> repeated_work(int rounds, Things things, Make make) {
   return [rounds, things = std::move(things), make = std::move(make)](int) {

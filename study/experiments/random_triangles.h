@@ -19,8 +19,7 @@ inline constexpr int kShapesSide = 256;
 
 // Triangle `index` of a stream: three corners around a random centre. Compact triangles have their
 // corners on a circle of diameter `size_px`, a third of a turn apart, plus or minus a sixth.
-// Slivers are `size_px` long and half a pixel wide, in any direction. The last triangle is the
-// nearest.
+// Slivers are `size_px` long and half a pixel wide, in any direction.
 inline std::array<ScreenVertex, 3> random_triangle(Shape shape, double size_px,
                                                    std::uint64_t stream, std::uint64_t index,
                                                    float depth = 0.5f) {
@@ -42,7 +41,8 @@ inline std::array<ScreenVertex, 3> random_triangle(Shape shape, double size_px,
   return corners;
 }
 
-// The triangles among `count` that still have an area after snapping.
+// The triangles among `count` that still have an area after snapping. The last triangle is the
+// nearest.
 inline std::vector<TriangleSetup> random_triangles(Shape shape, double size_px,
                                                    std::uint64_t stream, int count) {
   std::vector<TriangleSetup> triangles;

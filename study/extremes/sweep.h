@@ -32,14 +32,14 @@ struct Sweep {
   std::string error, error_unit = {};
   std::string reference;  // what the error is measured against
   std::string bound;      // formula of the bound, with its source
-  std::string tolerance;  // in words: when a method gives up
+  std::string tolerance;  // in words: the error from which on a method fails
   std::function<std::vector<SweepSeries>()> series;
 };
 
 // All sweeps, in the order of their numbers.
 const std::vector<Sweep>& sweeps();
 
-// Whether all points are within their bounds. This is true for every series that has bounds,
+// Whether all points are within their bounds. This must be true for every series that has bounds,
 // because a bound holds for naive code too.
 bool within_bounds(const SweepSeries& series);
 

@@ -33,8 +33,8 @@ inline Transform<Eye, World> view_matrix(const WorldVector& u, const WorldVector
   return m;
 }
 
-// The axes of eye space without any checks: 0/0 if up is parallel to the gaze or the eye is at the
-// target (S4.6).
+// Computes the axes of eye space without any checks: the result is 0/0 if up is parallel to the
+// gaze or the eye is at the target (S4.6).
 inline Result<Transform<Eye, World>> unchecked_look_at(const WorldPoint& eye,
                                                        const WorldPoint& target,
                                                        const WorldVector& up) {
@@ -43,7 +43,7 @@ inline Result<Transform<Eye, World>> unchecked_look_at(const WorldPoint& eye,
   return view_matrix(u, cross(n, u), n, eye);
 }
 
-// The right code without its limit for the angle between up and gaze.
+// The right code, but without its error for an up that is nearly parallel to the gaze.
 inline Result<Transform<Eye, World>> look_at_without_limit(const WorldPoint& eye,
                                                            const WorldPoint& target,
                                                            const WorldVector& up) {
@@ -51,7 +51,8 @@ inline Result<Transform<Eye, World>> look_at_without_limit(const WorldPoint& eye
   return checked || checked.error().place != "up" ? checked : unchecked_look_at(eye, target, up);
 }
 
-// The right code, but the given up is used as V although it is not perpendicular to the gaze.
+// The right code, but the given up is used as the axis V of eye space although it is not
+// perpendicular to the gaze.
 inline Result<Transform<Eye, World>> look_at_with_given_up(const WorldPoint& eye,
                                                            const WorldPoint& target,
                                                            const WorldVector& up) {
@@ -79,8 +80,8 @@ inline Result<Transform<Eye, World>> look_at_in_float(const WorldPoint& eye,
   });
 }
 
-// Axis and angle as in a textbook: the axis is v x t divided by its length, the angle comes from
-// the arccosine. 0/0 if the two vectors are parallel.
+// Rotates v to t as in a textbook: the axis is v x t divided by its length, the angle comes from
+// the arccosine. The result is 0/0 if the two vectors are parallel.
 inline Transform<World, World> rotation_between(const WorldVector& v, const WorldVector& t) {
   const WorldVector axis = normalise(cross(v, t));
   const double angle = std::acos(dot(v, t));
@@ -99,7 +100,8 @@ inline Transform<World, World> rotation_between(const WorldVector& v, const Worl
   return r;
 }
 
-// Turns `gaze` to `towards`, then rolls until up is in the upper half of the yz plane.
+// Turns the gaze to the direction `towards`, then rolls about z until up is in the upper half of
+// the yz plane.
 inline Transform<Eye, World> axis_angle_view(const WorldPoint& eye, const WorldPoint& target,
                                              const WorldVector& up, const WorldVector& towards) {
   const auto turn = rotation_between(normalise(target - eye), towards);
@@ -113,8 +115,8 @@ inline Transform<Eye, World> axis_angle_view(const WorldPoint& eye, const WorldP
   return Transform<Eye, World>(m.columns);
 }
 
-// The angle of a rotation, from the arccosine of its trace. The arccosine's argument hardly changes
-// near the angles 0 and pi, so small errors of the trace become large errors of the angle.
+// The angle of a rotation, from the arccosine of its trace. The cosine hardly changes near the
+// angles 0 and pi, so a small error of the trace becomes a large error of the angle.
 template <class T>
 double arccosine_angle(const glm::mat<4, 4, T>& r) {
   const T cosine = (r[0][0] + r[1][1] + r[2][2] - 1) / 2;

@@ -22,7 +22,8 @@ inline Point<Clip> mixed(const Point<Clip>& a, const Point<Clip>& b, float s, fl
   return {s * a.x + t * b.x, s * a.y + t * b.y, s * a.z + t * b.z, s * a.w + t * b.w};
 }
 
-// Computes a + t (b - a), which rounds differently if it starts from the other end.
+// Computes where the edge from a to b crosses the plane, as a + t (b - a). The same edge from b to
+// a is rounded differently.
 inline Point<Clip> from_first_end(const Point<Clip>& a, float d_a, const Point<Clip>& b,
                                   float d_b) {
   const float t = d_a / (d_a - d_b);
@@ -30,7 +31,8 @@ inline Point<Clip> from_first_end(const Point<Clip>& a, float d_a, const Point<C
           a.w + t * (b.w - a.w)};
 }
 
-// Computes (1 - t) a + t b: a smaller error, but still not the same from both ends.
+// Computes the crossing as (1 - t) a + t b. The error is smaller than that of a + t (b - a), but
+// the edge from b to a is still rounded differently.
 inline Point<Clip> weighted_by_t(const Point<Clip>& a, float d_a, const Point<Clip>& b, float d_b) {
   const float t = d_a / (d_a - d_b);
   return mixed(a, b, 1 - t, t);
@@ -64,7 +66,7 @@ inline Outline clip(const Clipper& clipper, const std::array<ClipVertex, 3>& tri
   return polygon;
 }
 
-// Does not clip at all: it leaves the triangle as it is, to be divided by w.
+// Does not clip at all: leaves the triangle as it is, to be divided by w.
 inline Outline nothing(const std::array<ClipVertex, 3>& triangle, std::span<const ClipPlane>) {
   return {triangle[0].position, triangle[1].position, triangle[2].position};
 }

@@ -1,5 +1,5 @@
-// Rasterizers with errors. The parts of the right one (snapping, edge functions, tie rule) can be
-// exchanged one by one.
+// Rasterizers with errors: each part of the correct one (snapping, edge functions, tie rule) can be
+// replaced by a wrong one.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace glassbox::study::naive {
 // ---- float edge functions ----
 
 // Computes the cross product in float from positions that are not snapped, and counts >= 0 as
-// "inside", as most tutorials do. Rounding gives two neighbours different answers, and both draw
-// the pixels exactly on their common edge.
+// "inside", as most tutorials do. Rounding gives the two triangles of an edge different answers,
+// and both draw the pixels whose centres are exactly on the edge.
 inline void float_covers(const ScreenTriangle& t, const PixelRect& window,
                          const PixelVisitor& visit) {
   const auto cross = [](const Point<Screen>& a, const Point<Screen>& b, float x, float y) {
@@ -37,8 +37,9 @@ inline void float_covers(const ScreenTriangle& t, const PixelRect& window,
   }
 }
 
-// The edge functions and the tie rule are right, but each cross product uses float differences from
-// the first vertex of the edge, and neighbours do not share that vertex.
+// The formula and the tie rule are right, but the edge function is computed in float, from
+// differences to the first vertex of the edge. The neighbouring triangle starts the same edge at
+// its other vertex, so it rounds differently.
 inline bool float_difference_inside(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
                                     bool owns_zero) {
   const float ax = float(a.x) / 256, ay = float(a.y) / 256;
@@ -47,8 +48,8 @@ inline bool float_difference_inside(const SnappedVertex& a, const SnappedVertex&
   return edge > 0 || (edge == 0 && owns_zero);
 }
 
-// 32 bits are enough for a picture of 2048 pixels with 4 subpixel bits; with 8 subpixel bits, the
-// edge functions overflow and wrap around.
+// Computes the edge function in 32 bits. They are enough for a picture of 2048 pixels with 4
+// subpixel bits; with 8 subpixel bits, the edge function overflows and wraps around.
 inline bool int32_inside(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
                          bool owns_zero) {
   const auto wrapped = [](std::int64_t n) { return std::int64_t(std::int32_t(std::uint32_t(n))); };
@@ -67,8 +68,8 @@ inline bool exact_inside(const SnappedVertex& a, const SnappedVertex& b, int x, 
 
 // ---- the right rasterizer in parts ----
 
-// Whether a point exactly on the edge from a to b belongs to the triangle, which runs clockwise on
-// the screen (top-left rule).
+// Whether a point exactly on the edge from a to b belongs to the triangle, whose vertices run
+// clockwise on the screen (top-left rule).
 inline bool top_left(const SnappedVertex& a, const SnappedVertex& b) {
   return a.y > b.y || (a.y == b.y && b.x > a.x);
 }
@@ -78,10 +79,11 @@ struct CoverageParts {
   bool (*inside)(const SnappedVertex& a, const SnappedVertex& b, int x, int y,
                  bool owns_zero) = exact_inside;
   bool (*owns)(const SnappedVertex& a, const SnappedVertex& b) = top_left;
-  bool rule_before_orientation = false;  // edges are classified before the winding is corrected
+  // True (a mistake): the tie rule is applied before the triangle is turned clockwise.
+  bool rule_before_orientation = false;
 };
 
-// The same as pipeline_covers if no part is exchanged.
+// Covers the same pixels as pipeline_covers if no part is exchanged.
 inline void covers_with(const CoverageParts& parts, const ScreenTriangle& t,
                         const PixelRect& window, const PixelVisitor& visit) {
   SnappedTriangle v;
@@ -127,28 +129,31 @@ inline bool owns_all(const SnappedVertex&, const SnappedVertex&) {
 inline bool owns_none(const SnappedVertex&, const SnappedVertex&) {
   return false;
 }
-// Has no gaps and no overlaps, but picks other pixels than all other rasterizers.
+// The opposite of the top-left rule. It leaves no gaps and no overlaps, but picks other pixels than
+// all other rasterizers.
 inline bool bottom_right(const SnappedVertex& a, const SnappedVertex& b) {
   return !top_left(a, b);
 }
-// Horizontal edges belong to no triangle.
+// The tie rule without its "top" part: pixels exactly on horizontal edges belong to no triangle.
 inline bool left_only(const SnappedVertex& a, const SnappedVertex& b) {
   return a.y > b.y;
 }
 
-// Truncates towards zero: left of column 0 everything moves to the right.
+// Snaps by truncating towards zero: positions left of column 0 move to the right instead of to the
+// left.
 inline std::int32_t snap_truncating(float pixels) {
   return std::int32_t(pixels * 256.0f);
 }
-// Rounds halves away from zero, like std::round.
+// Snaps by rounding, with halves of a step rounded away from zero, as std::round does.
 inline std::int32_t snap_away(float pixels) {
   return std::int32_t(std::round(pixels * 256.0f));
 }
-// Rounds halves to even, like the processor.
+// Snaps by rounding, with halves of a step rounded to the even number, as processors do by default.
 inline std::int32_t snap_to_even(float pixels) {
   return std::int32_t(std::nearbyint(pixels * 256.0f));
 }
-// Rounds the sum with a half once more: 0.49999997 becomes 1, and from 2^15 px on the half is lost.
+// Adds a half and rounds down, but the float sum is itself rounded: 0.49999997 steps become 1, and
+// from 2^15 px on the half is lost.
 inline std::int32_t snap_float_half(float pixels) {
   return std::int32_t(std::floor(pixels * 256.0f + 0.5f));
 }

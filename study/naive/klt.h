@@ -13,7 +13,8 @@ namespace glassbox::study::naive {
 
 // ---- covariance ----
 
-// E[x y] - E[x] E[y] in one pass: the difference of two large numbers that are nearly equal.
+// Computes the covariance as E[x y] - E[x] E[y] in one pass, which is the difference of two large
+// and nearly equal numbers.
 template <class F>
 Eigen::MatrixXd covariance_by_moments(const views::Bands& bands) {
   const int count = bands.count();
@@ -35,28 +36,29 @@ Eigen::MatrixXd covariance_by_moments(const views::Bands& bands) {
   return covariance;
 }
 
-// The covariance of a sample instead of the whole population: the sum of the dropped eigenvalues is
-// then not the error of these pixels.
+// The covariance of a sample instead of the whole population (N - 1 instead of N pixels): the sum
+// of the eigenvalues that are left out is then not the error of these pixels.
 inline Eigen::MatrixXd covariance_of_a_sample(const views::Bands& bands) {
   const double pixels = double(bands.pixels());
   return views::moments_of(bands).covariance * (pixels / (pixels - 1));
 }
 
-// The mean is not subtracted.
+// The covariance without subtracting the mean.
 inline Eigen::MatrixXd covariance_about_zero(const views::Bands& bands) {
   const views::Moments moments = views::moments_of(bands);
   return moments.covariance + moments.mean * moments.mean.transpose();
 }
 
-// ---- what components are compared by ----
+// ---- comparisons of components ----
 
-// Compares the first eigenvectors as if each were unique, although equal eigenvalues share a whole
-// plane of them.
+// The angle between the first eigenvectors of two results. They are taken as unique, although every
+// vector of a plane is an eigenvector if two eigenvalues are equal.
 inline double angle_of_vectors(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return views::angle_between(a.col(0), b.col(0));
 }
 
-// Assumes that the eigenvectors are unique up to their sign, although eigenvalues may be equal.
+// The largest angle between eigenvectors with the same index. They are taken as unique up to their
+// sign, although eigenvalues may be equal.
 inline double largest_angle_of_vectors(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   double largest = 0;
   for (Eigen::Index i = 0; i < a.cols(); ++i)
@@ -64,7 +66,8 @@ inline double largest_angle_of_vectors(const Eigen::MatrixXd& a, const Eigen::Ma
   return largest;
 }
 
-// cos(x) rounds to 1 for all x below the square root of the unit roundoff.
+// Computes the angle from its cosine, which is inaccurate: cos(x) rounds to 1 for all x below the
+// square root of the unit roundoff.
 inline double angle_by_cosine(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   const Eigen::MatrixXd cosines = a.transpose() * b;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(cosines);

@@ -1,4 +1,4 @@
-// Layered depth images that are packed, merged, warped and splatted as beginners first write it.
+// Packing, merging, warping and splatting of layered depth images as beginners first write it.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,12 @@ namespace glassbox::study::naive {
 
 // ---- the loop over all samples ----
 
-// Describes how a sample is drawn, in double. Each member has the right value until a mutant
-// changes it.
+// How the samples of a layered depth image are drawn, in double. Each member has the right value
+// until a mutant (deliberately wrong code) changes it.
 struct SplatLoop {
-  // The side in px of a sample whose distance from the second eye is w = d2/d1 times its distance
-  // from the first; `zoom` is F2/F1.
+  // The side in px of the square that is drawn for a sample. w is the sample's distance from the
+  // second eye divided by its distance from the first; `zoom` is the second focal length divided by
+  // the first.
   std::function<double(double zoom, double w)> side = [](double zoom, double w) {
     return std::clamp(zoom / w, 1.0, double(views::kLargestSplat));
   };
@@ -31,14 +32,15 @@ struct SplatLoop {
     return w > 0 && z <= 1;
   };
   bool compares_depth = true;
-  bool back_to_front = true;  // order within a pixel
-  // The order in which columns and rows are visited; empty: as they are packed.
+  // The order of the samples in a pixel.
+  bool back_to_front = true;
+  // The order in which columns and rows are visited; if empty, the order in which they are packed.
   std::vector<int> columns = {}, rows = {};
 };
 
 struct SplatPicture {
   Image<Rgba8> color;
-  Image<double> depth;  // 0: a hole
+  Image<double> depth;  // 0 where nothing was drawn
 };
 
 inline SplatPicture splat(const views::LayeredImage& image, const views::LayerCamera& to,
@@ -84,8 +86,8 @@ inline SplatPicture splat(const views::LayeredImage& image, const views::LayerCa
 
 // ---- merging ----
 
-// Merges while the list of a pixel is built: each new depth goes into the first sample that is near
-// to it. The result depends on the order in which the depths arrive.
+// Merges while the list of a pixel is built: each new depth is merged with the first one in the
+// list that is within epsilon of it. The result depends on the order in which the depths arrive.
 inline std::vector<float> merged_as_they_come(const std::vector<float>& depths, double epsilon) {
   std::vector<float> kept;
   for (const float depth : depths) {
@@ -102,8 +104,8 @@ inline std::vector<float> merged_as_they_come(const std::vector<float>& depths, 
   return kept;
 }
 
-// Sorts, then compares each depth with its neighbour, which may have been merged itself: a chain of
-// near depths becomes a single sample, however long the chain is.
+// Sorts, then compares each depth with its neighbour, even if that one has been merged itself: a
+// chain of depths, each near to the next, becomes a single sample, however long it is.
 inline std::vector<float> merged_along_the_chain(std::vector<float> depths, double epsilon) {
   std::ranges::sort(depths, std::greater<>());
   std::vector<float> kept;
@@ -115,7 +117,8 @@ inline std::vector<float> merged_along_the_chain(std::vector<float> depths, doub
   return kept;
 }
 
-// The depth that stays is not the nearest of the merged ones, so surfaces move away from the eye.
+// Keeps the farthest of the depths that are merged instead of the nearest, so surfaces move away
+// from the eye.
 inline std::vector<float> merged_from_behind(std::vector<float> depths, double epsilon) {
   std::ranges::sort(depths);
   std::vector<float> kept;
@@ -149,7 +152,7 @@ inline Packed packed_by_byte_counts(const PixelLists& pixels) {
   return packed;
 }
 
-// Stores an offset only for pixels that have samples.
+// Stores an offset only for pixels that have samples; the offsets of empty pixels stay 0.
 inline Packed packed_without_empty_pixels(const PixelLists& pixels) {
   Packed packed;
   packed.first.assign(pixels.size() + 1, 0);

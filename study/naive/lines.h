@@ -10,8 +10,8 @@
 
 namespace glassbox::study::naive {
 
-// Draws from the rounded first pixel to the rounded last one, including both: lines that continue
-// each other draw the joint twice.
+// Draws from the rounded first pixel to the rounded last one, including both: two lines that meet
+// in a pixel both draw it.
 inline void bresenham(const SnappedVertex& a, const SnappedVertex& b, const PixelVisitor& visit) {
   int x = a.x >> 8, y = a.y >> 8;
   const int x1 = b.x >> 8, y1 = b.y >> 8;
@@ -33,7 +33,8 @@ inline void bresenham(const SnappedVertex& a, const SnappedVertex& b, const Pixe
   }
 }
 
-// The right rule, plus the pixel in whose diamond the line ends.
+// The right rule (a pixel is drawn if the line leaves its diamond), plus the pixel in whose diamond
+// the line ends.
 inline void line_with_last_pixel(const SnappedVertex& a, const SnappedVertex& b,
                                  const PixelVisitor& visit) {
   for_each_line_pixel(a, b, {-64, -64, 64, 64}, [&](const LinePixel& p) { visit(p.x, p.y); });
@@ -41,8 +42,8 @@ inline void line_with_last_pixel(const SnappedVertex& a, const SnappedVertex& b,
   if (in_diamond(b, x, y)) visit(x, y);
 }
 
-// The right rule without the diamond in which the line starts, if it starts past the diamond's
-// centre.
+// The right rule, but without the pixel in whose diamond the line starts, if the line starts past
+// the centre of that diamond.
 inline void line_without_start(const SnappedVertex& a, const SnappedVertex& b,
                                const PixelVisitor& visit) {
   const LineSetup line = setup_line(a, b);

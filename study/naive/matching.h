@@ -13,8 +13,9 @@
 
 namespace glassbox::study::naive {
 
-// Takes the smallest difference of single grey values along the row. Positions outside the right
-// picture are clamped to its border, and every pixel gets a disparity.
+// Matches by the smallest difference of two single grey values along the row. Positions outside the
+// right picture are clamped to its border, and every pixel gets a disparity, even if it has no
+// match.
 inline Image<float> match_clamped(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                   const views::DisparityRange& range) {
   Image<float> disparity(left.width, left.height);
@@ -33,7 +34,7 @@ inline Image<float> match_clamped(const Image<Rgba8>& left, const Image<Rgba8>& 
   return disparity;
 }
 
-// The mean of all squared differences, including pixels whose value is unknown.
+// The root mean square error over all pixels, including those whose true disparity is unknown.
 inline double rms_of_all(const Image<float>& disparity, const Image<float>& truth) {
   double sum = 0;
   for (std::size_t i = 0; i < truth.pixels.size(); ++i)
@@ -41,8 +42,8 @@ inline double rms_of_all(const Image<float>& disparity, const Image<float>& trut
   return std::sqrt(sum / double(truth.pixels.size()));
 }
 
-// f B/d: it assumes that the principal points are in the same column, which parallel axes alone do
-// not guarantee.
+// The depth f B/d, from focal length f, baseline B and disparity d. It assumes that the principal
+// points are in the same column, which parallel axes alone do not guarantee.
 inline double depth_without_offset(double disparity, const views::Calibration& calibration) {
   return calibration.focal_px * calibration.baseline / disparity;
 }

@@ -10,13 +10,14 @@
 
 namespace glassbox::study::naive {
 
-// The cross product at the first corner, in float.
+// The normal from the cross product of two edges at the first corner, in float.
 inline Vector<Object, double> first_corner(std::span<const Point<Object>> polygon) {
   const auto m = three_point_normal(polygon[0], polygon[1], polygon[2]);
   return {m.x, m.y, m.z};
 }
 
-// Newell's sums of raw coordinates, which cancel only at the end, exactly as on the slide (S4.33).
+// Newell's sums of the raw coordinates, exactly as on the slide (S4.33). Far from the origin the
+// terms are large and cancel only at the end.
 template <class T>
 Vector<Object, double> raw_newell(std::span<const Point<Object>> polygon) {
   T x = 0, y = 0, z = 0;
@@ -29,7 +30,7 @@ Vector<Object, double> raw_newell(std::span<const Point<Object>> polygon) {
   return {double(x), double(y), double(z)};
 }
 
-// Newell's sums with one sign changed: differences are multiplied by differences.
+// Newell's sums with one sign changed: differences are multiplied by differences instead of sums.
 inline Vector<Object, double> newell_of_differences(std::span<const Point<Object>> polygon) {
   Vector<Object, double> m;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -41,25 +42,28 @@ inline Vector<Object, double> newell_of_differences(std::span<const Point<Object
   return m;
 }
 
-// Newell's sums without the edge from the last corner to the first.
+// Newell's sums without the edge from the last corner to the first, and with a second mistake in z.
 inline Vector<Object, double> open_newell(std::span<const Point<Object>> polygon) {
   Vector<Object, double> m;
   for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
     const Vector<Object, float> a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
     m.x += (double(a.y) - double(b.y)) * (double(a.z) + double(b.z));
     m.y += (double(a.z) - double(b.z)) * (double(a.x) + double(b.x));
-    m.z += (double(a.x) - double(b.x)) * (double(a.x) + double(b.x));  // x instead of y
+    // A mistake: the second factor uses x instead of y.
+    m.z += (double(a.x) - double(b.x)) * (double(a.x) + double(b.x));
   }
   return m;
 }
 
-// (V1 - V2) x (V3 - V2), exactly as on the slide; it points the other way (S4.32).
+// The normal (V1 - V2) x (V3 - V2), exactly as on the slide (S4.32). Its direction is opposite to
+// the right one.
 inline Vector<Object, double> slide_32(std::span<const Point<Object>> polygon) {
   const auto m = cross(polygon[0] - polygon[1], polygon[2] - polygon[1]);
   return {m.x, m.y, m.z};
 }
 
-// (P - eye) . m in T, with whichever sign remains after rounding.
+// The facing of a polygon from the sign of (P - eye) . m, where P is a corner and m the normal. It
+// is computed in the type T, and rounding may change the sign.
 template <class T>
 Facing facing(std::span<const Point<Object>> polygon, const ObjectViewer& viewer) {
   using V = Vector<Object, T>;

@@ -22,8 +22,8 @@ using views::ScalarField;
 
 // ---- tables ----
 
-// Cells with more than four corners inside get the triangles of the opposite case without any
-// change.
+// Cells with more than four corners inside get the triangles of the opposite case (inside and
+// outside exchanged), without reversing their winding.
 inline CellTable table_of_opposites_not_turned() {
   CellTable table = views::naive_table();
   for (unsigned inside = 0; inside < table.size(); ++inside) {
@@ -33,7 +33,8 @@ inline CellTable table_of_opposites_not_turned() {
   return table;
 }
 
-// The cell below a face cuts it one way, the cell above it the other way.
+// A face with two opposite corners inside can be cut in two ways. Here the cell below the face cuts
+// it one way and the cell above it the other way, which leaves a hole.
 inline CellTable table_by_sides() {
   CellTable table;
   for (unsigned inside = 0; inside < table.size(); ++inside)
@@ -41,8 +42,9 @@ inline CellTable table_by_sides() {
   return table;
 }
 
-// The border of each polygon is right, but its triangles are a fan from the first corner: the
-// diagonals lie on cell faces, where the neighbouring cell has the same diagonals.
+// The border of each polygon is right, but its triangles are a fan from the first corner. Some
+// diagonals of the fan lie on faces of the cell, where the neighbouring cell has the same
+// diagonals, so that more than two triangles meet there.
 inline CellTable table_of_fans() {
   CellTable table;
   for (unsigned inside = 0; inside < table.size(); ++inside) {
@@ -77,9 +79,9 @@ inline CellTable table_of_fans() {
 
 // ---- ties ----
 
-// Puts each corner exactly where the field, linear along each lattice edge, has the level. If the
-// value at a lattice corner is the level itself, as many corners coincide there as the lattice
-// corner has edges.
+// Puts each vertex of the mesh exactly where the field, taken as linear along each lattice edge,
+// has the level. If a lattice corner has exactly this level, the vertices on all of its edges
+// coincide there.
 inline PolygonMesh placed_exactly(PolygonMesh mesh, const ScalarField& field, double level) {
   for (views::Vector3d& p : mesh.positions) {
     int axis = 0;
@@ -94,7 +96,7 @@ inline PolygonMesh placed_exactly(PolygonMesh mesh, const ScalarField& field, do
   return mesh;
 }
 
-// Merges corners at the same place, and removes triangles that then have a corner twice.
+// Merges vertices at the same place, and removes triangles that then have a vertex twice.
 inline PolygonMesh welded(const PolygonMesh& mesh) {
   PolygonMesh all;
   std::map<std::array<double, 3>, std::uint32_t> places;
@@ -114,12 +116,12 @@ inline PolygonMesh welded(const PolygonMesh& mesh) {
 
 // ---- layered images ----
 
-// The list of one pixel, which changes as polygons are added and deleted. Each member has the right
-// value until a mutant changes it.
+// The list of samples of one pixel, which changes as polygons are added and deleted. Each member
+// has the right value until a mutant (deliberately wrong code) changes it.
 struct PixelList {
-  bool keeps_all = true;          // false: only the nearest
+  bool keeps_all = true;          // false: only the nearest sample
   bool sorts = true;              // false: in the order of arrival
-  bool breaks_ties_by_id = true;  // false: among equally near ones, the last is in front
+  bool breaks_ties_by_id = true;  // false: of samples at the same depth, the last is in front
   bool deletes_behind = true;     // false: hidden samples are not deleted
 };
 

@@ -7,8 +7,8 @@
 
 namespace glassbox::study::naive {
 
-// gluPerspective as in the manual page, in float and unchecked: n = f divides by zero, f = infinity
-// gives NaN.
+// The matrix of gluPerspective as in its manual page, in float and without checks: near = far
+// divides by zero, and far = infinity gives NaN.
 inline Transform<Clip, Eye> unchecked_perspective(float fovy_degrees, float aspect, float near,
                                                   float far) {
   const float scale = 1 / std::tan(fovy_degrees * 3.14159265f / 360);
@@ -22,11 +22,11 @@ inline Transform<Clip, Eye> unchecked_perspective(float fovy_degrees, float aspe
   return m;
 }
 
-// Computes depth with the standard matrix or with OpenGL's, both in float, and reverses it
-// afterwards.
+// Computes depth from a point of the standard matrix, in float, and reverses it afterwards.
 inline float depth_reversed_afterwards(const Point<Clip>& standard) {
   return 1 - standard.z / standard.w;
 }
+// Computes depth in the range -1 .. 1 of OpenGL, in float, and maps it to 0 .. 1 afterwards.
 inline float depth_through_gl_remap(const Point<Clip>& reversed) {
   const float z_gl = (2 * reversed.z - reversed.w) / reversed.w;
   return (z_gl + 1) / 2;

@@ -15,8 +15,8 @@ namespace glassbox::study::naive {
 
 // ---- two passes over one buffer ----
 
-// The right eye is tested against the depths that the left eye has left in the buffer: nearer
-// objects of the left eye punch holes into the right eye's picture.
+// Tests the right eye's pixels against the depths that the left eye has left in the buffer: objects
+// that are nearer in the left eye's picture punch holes into the right eye's picture.
 inline Image<Rgba8> anaglyph_without_clearing_depth(const Framebuffer& left,
                                                     const Framebuffer& right,
                                                     const Rgba8& background) {
@@ -30,7 +30,8 @@ inline Image<Rgba8> anaglyph_without_clearing_depth(const Framebuffer& left,
   return shown;
 }
 
-// Clears not only depth between the passes but colour as well: nothing remains of the left eye.
+// Clears colour as well as depth between the passes of the two eyes: nothing remains of the left
+// eye's picture.
 inline Image<Rgba8> anaglyph_with_colour_cleared(const Framebuffer& right,
                                                  const Rgba8& background) {
   Image<Rgba8> shown = right.color;
@@ -47,8 +48,8 @@ inline std::uint8_t wrapped_byte(double value) {
 
 // ---- changes of the window ----
 
-// A low-pass filter of the distance instead of its inverse, although parallax is linear in the
-// inverse.
+// Smooths the distance of the stereo window with a low-pass filter. It should smooth the inverse of
+// the distance, because parallax is linear in the inverse.
 class FilterOfDistance {
 public:
   explicit FilterOfDistance(double frames) : share_(1 / (1 + frames)) {}
@@ -61,7 +62,7 @@ private:
   double share_, current_ = NAN;
 };
 
-// A spring with too little damping: it overshoots.
+// Moves the stereo window like a spring with too little damping: it overshoots the goal.
 class Spring {
 public:
   double next(double window) {

@@ -11,7 +11,8 @@ namespace glassbox::study::naive {
 struct TileRules {
   // A triangle is drawn only in the tiles that contain its vertices, not in those between.
   bool only_tiles_of_vertices = false;
-  // Each tile ends this many pixels after its last pixel: pixels are drawn twice, or not at all.
+  // Each tile ends this many pixels too far to the right and down, so that these pixels are drawn
+  // twice. If the number is negative, they are not drawn at all.
   int pixels_too_far = 0;
 };
 

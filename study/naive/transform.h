@@ -15,7 +15,8 @@ inline glm::dmat4 premultiplied(const glm::dmat4& a, const glm::dmat4& b) {
   return b * a;
 }
 
-// World positions in float: far from the origin, the spacing of floats is coarser than the object.
+// Rounds world positions to float: far from the origin, the spacing of floats is larger than the
+// object.
 inline Point<Eye> through_float_world(const Transform<Eye, World>& eye_from_world,
                                       const Transform<World, Object>& world_from_object,
                                       const Point<Object>& p) {
@@ -23,7 +24,8 @@ inline Point<Eye> through_float_world(const Transform<Eye, World>& eye_from_worl
   return round_to_float(eye_from_world) * world;
 }
 
-// One combined matrix, but multiplied in float: both translations are rounded before they cancel.
+// Uses one combined matrix, but multiplies it in float: the translations of both matrices are
+// rounded before they cancel.
 inline Point<Eye> composed_in_float(const Transform<Eye, World>& eye_from_world,
                                     const Transform<World, Object>& world_from_object,
                                     const Point<Object>& p) {
@@ -38,7 +40,8 @@ inline Normal<World> normal_by_matrix(const Transform<World, Object>& m, const N
   return Normal<World>(linear * to_glm(n));
 }
 
-// Transforms normals with the inverse transpose: it is 1/0 for a map that flattens.
+// Transforms normals with the inverse transpose, which is 1/0 for a matrix that flattens the
+// object.
 inline Normal<World> normal_by_inverse_transpose(const Transform<World, Object>& m,
                                                  const Normal<Object>& n) {
   return Normal<World>(glm::inverseTranspose(glm::mat3(m.columns)) * to_glm(n));
@@ -54,7 +57,7 @@ inline Normal<World> normal_without_sign(const Transform<World, Object>& m,
   return Normal<World>(glm::mat3(cofactors(glm::dmat3(m.columns))) * to_glm(n));
 }
 
-// Uses cofactors with rows and columns exchanged.
+// Uses the matrix of cofactors with rows and columns exchanged.
 inline Normal<World> normal_by_transposed_cofactors(const Transform<World, Object>& m,
                                                     const Normal<Object>& n) {
   const glm::dmat3 linear(m.columns);

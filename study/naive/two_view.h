@@ -21,7 +21,8 @@ using views::Matrix3d;
 
 // ---- eight points ----
 
-// The eight-point equations in raw pixels: products of about 10^5 stand beside 1.
+// Solves the eight-point equations in raw pixels, whose coefficients differ much in size: products
+// of coordinates are about 10^5, and the last coefficient is 1.
 inline Matrix3d fundamental_raw(const Matches& pixels) {
   const auto fit = views::fit_fundamental(pixels, views::Conditioning::kRaw);
   return fit ? fit->matrix : Matrix3d::Zero();
@@ -35,14 +36,15 @@ inline Matrix3d fundamental_carried_back_crosswise(const Matches& pixels) {
   return normal->left.transpose() * m * normal->right;
 }
 
-// Returns the matrix of the normalised points: the normalisation is not undone.
+// Returns the matrix of the normalised points without undoing the normalisation.
 inline Matrix3d fundamental_not_carried_back(const Matches& pixels) {
   const auto normal = views::normalised(pixels);
   return normal ? views::with_rank_two(views::linear_fit(normal->matches)->matrix)
                 : Matrix3d::Zero();
 }
 
-// The eigenvector of A^T A, whose condition number is the square of that of A.
+// Solves the equations with the matrix A by an eigenvector of A^T A, whose condition number is the
+// square of that of A.
 template <class T>
 Matrix3d matrix_by_normal_equations(const Matches& matches) {
   const Eigen::Matrix<T, Eigen::Dynamic, 9> rows = views::design_matrix(matches).cast<T>();
@@ -54,8 +56,8 @@ Matrix3d matrix_by_normal_equations(const Matches& matches) {
   return matrix;
 }
 
-// Makes the singular values equal for the normalised points; undoing the normalisation makes them
-// different again.
+// Makes the singular values equal too early, for the normalised points: undoing the normalisation
+// makes them different again.
 inline Matrix3d essential_made_before_carrying_back(const Matches& calibrated) {
   const auto normal = views::normalised(calibrated);
   if (!normal) return Matrix3d::Zero();
@@ -63,7 +65,7 @@ inline Matrix3d essential_made_before_carrying_back(const Matches& calibrated) {
   return normal->right.transpose() * m * normal->left;
 }
 
-// The matrix has rank 2 but two different singular values: it is a fundamental matrix, not an
+// Returns a matrix of rank 2 with two different singular values: it is a fundamental matrix, not an
 // essential one.
 inline Matrix3d essential_of_rank_two(const Matches& calibrated) {
   const auto normal = views::normalised(calibrated);
@@ -74,13 +76,13 @@ inline Matrix3d essential_of_rank_two(const Matches& calibrated) {
 
 // ---- what kind of pair it is ----
 
-// Accepts every result of the eight points as a general pair of cameras.
+// Takes every pair of cameras for a general one, whatever the eight-point method found.
 inline views::PairKind always_general(const views::PairClassification&) {
   return views::PairKind::kGeneral;
 }
 
-// A rotation is a homography, and so is a plane: this code takes a rotation for a plane and uses
-// five points.
+// Takes a pure rotation for a plane, because the matches of both satisfy a homography. For a plane,
+// five calibrated points give the relative pose; for a rotation they do not.
 inline views::PairKind turned_is_a_plane(const views::PairClassification& judged) {
   return judged.kind == views::PairKind::kPureRotation ? views::PairKind::kPlane : judged.kind;
 }
@@ -91,7 +93,7 @@ inline views::RelativePose first_of_four(const Matrix3d& essential, const Matche
   return views::poses_of(essential)[0];
 }
 
-// Tries both signs of T, but only one of the two rotations.
+// Tries both signs of the translation T, but only one of the two rotations.
 inline views::RelativePose one_rotation(const Matrix3d& essential, const Matches& calibrated) {
   const auto poses = views::poses_of(essential);
   return views::in_front_of_both(poses[0], calibrated) >=

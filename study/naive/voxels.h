@@ -1,5 +1,6 @@
 // Voxel colouring as beginners first write it, and with steps that are easily forgotten: a loop
-// over voxels in layers along z, where each voxel is looked up at the pixel of its centre.
+// over voxels in layers along z. The colour of a voxel in a picture is that of the pixel that shows
+// the voxel's centre.
 #pragma once
 
 #include <cmath>
@@ -12,19 +13,20 @@
 
 namespace glassbox::study::naive {
 
-// Each member has the right value, unless a mutant changes it.
-struct PlainSweep {
+// The steps of the loop. Each member has the right value, unless a mutant (deliberately wrong code)
+// changes it.
+struct SweepRules {
   bool hides = true;             // coloured voxels hide those behind them
   bool nearest_first = true;     // visits the layers in order of distance from the cameras
   bool asks_masks = true;        // rejects voxels that project to the background
-  bool below = true;             // accepts sigma < T; false: sigma <= T
-  std::int64_t least_views = 2;  // with fewer views, nothing is decided
+  bool below = true;             // true: accepts sigma < T; false: sigma <= T (T is the threshold)
+  std::int64_t least_views = 2;  // voxels that fewer views see are left out
 };
 
 using VoxelKeys = std::set<std::uint64_t>;
 
 inline VoxelKeys colored_by(const views::PictureSet& set, const views::ColoringRequest& request,
-                            const PlainSweep& way) {
+                            const SweepRules& way) {
   const views::VoxelGrid grid =
       views::grid_of(request.box, request.voxel_size, views::Matrix3d::Identity()).value();
   std::vector<std::vector<std::uint8_t>> hidden;

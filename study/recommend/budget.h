@@ -12,7 +12,7 @@ namespace glassbox::study {
 enum class Quantity { kPosition, kDepth, kColour };
 
 std::string_view name_of(Quantity quantity);  // for example "position"
-std::string_view unit_of(Quantity quantity);  // for example "px"; empty for shares
+std::string_view unit_of(Quantity quantity);  // for example "px"; empty for fractions
 
 struct Budget {
   Quantity quantity = Quantity::kPosition;

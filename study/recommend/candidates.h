@@ -22,7 +22,8 @@ struct Candidate {
 
 struct Comparison {
   Quantity quantity = Quantity::kPosition;
-  std::string error, reference, item;  // what is measured, the reference, and what the time is per
+  // What is measured, what it is compared with, and what is timed.
+  std::string error, reference, item;
   std::vector<Candidate> candidates;
 };
 
@@ -33,7 +34,7 @@ std::optional<std::size_t> fastest_candidate(const std::vector<Candidate>& candi
                                              double limit);
 
 // The first candidate with an error below `limit` that glassbox render offers; if there is none,
-// the first of the others below `limit`.
+// the first of the other candidates below `limit`.
 std::optional<std::size_t> first_render_candidate(const std::vector<Candidate>& candidates,
                                                   double limit);
 

@@ -28,7 +28,8 @@ Transform<World, Object> world_from_object(const Scene& scene, const Draw& draw)
   return scene.nodes[scene.instances[draw.instance].node].world_from_node;
 }
 
-// All three matrices have exactly the double values from which the pipeline starts.
+// The product of the three matrices in exact arithmetic; their entries are the doubles from which
+// the pipeline starts.
 exact::Matrix4<Decimal> exact_clip_from_object(const Scene& scene, const View& view,
                                                const Draw& draw) {
   return exact::exactly<Decimal>(view.clip_from_eye) *
@@ -44,8 +45,8 @@ VertexRegion region_of(const exact::Vector4<Decimal>& clip) {
                                                             : VertexRegion::kBeside;
 }
 
-// The eye-space distance of a point in clip space. It needs only z and w, because rows 2 and 3 of a
-// projection use nothing but z and w of eye space.
+// The eye-space distance of a point in clip space. It needs only z and w, because the rows of a
+// projection for z and w use nothing but z and w of eye space.
 double distance_of(const View& view, const exact::Vector4<Decimal>& clip) {
   if (view.perspective) return double(clip[3]);
   return double((Decimal(view.clip_from_eye.at(2, 3)) - clip[2]) /
@@ -63,7 +64,7 @@ ExactVertexPlace place_of(const View& view, const exact::Vector4<Decimal>& clip,
   return {draw, vertex, double(x), double(y), distance_of(view, clip)};
 }
 
-// ---- methods to compute it ----
+// ---- methods to compute the positions ----
 
 // The chosen vertices, one array per coordinate, grouped into runs of the same draw: a loop over
 // them can be vectorized.
@@ -100,7 +101,7 @@ Transform<Target, Source, T> as(const Transform<Target, Source>& m) {
   return Transform<Target, Source, T>(glm::mat<4, 4, T>(m.columns));
 }
 
-// Rounds to the nearest of `steps` steps per pixel; `steps` is a power of two.
+// Rounds to a multiple of 1/`steps` px; `steps` is a power of two.
 double snapped(double px, double steps) {
   return std::floor(px * steps + 0.5) * (1 / steps);
 }
@@ -111,8 +112,8 @@ struct Arithmetic {
   PlaceAll place_all;
 };
 
-// Runs one loop for each run; `make(draw)` returns the function that transforms a vertex of this
-// draw to the screen.
+// Runs one loop for each run of vertices; `make(draw)` returns the function that transforms a
+// vertex of this draw to the screen.
 template <class Make>
 PlaceAll by_runs(Make make) {
   return [make](const VertexColumns& vertices, double steps, ScreenColumns& to) {
@@ -127,7 +128,7 @@ PlaceAll by_runs(Make make) {
   };
 }
 
-// Applies the matrices one after the other, each rounded to T.
+// Applies the three matrices one after the other, each rounded to the type T.
 template <class T>
 PlaceAll separately(const Scene& scene, const View& view, const std::vector<Draw>& draws) {
   return by_runs([&scene, &view, &draws](std::size_t draw) {
@@ -138,7 +139,8 @@ PlaceAll separately(const Scene& scene, const View& view, const std::vector<Draw
   });
 }
 
-// Uses the pipeline's own functions; the anchor is subtracted as in project_vertex().
+// Uses the pipeline's own functions; the anchor (a point near the object) is subtracted as in
+// project_vertex().
 PlaceAll as_render_does(const View& view, const std::vector<Draw>& draws) {
   return by_runs([&view, &draws](std::size_t draw) {
     return [matrix = draws[draw].clip_from_anchored, anchor = draws[draw].anchor,
@@ -165,7 +167,7 @@ VertexColumns columns_of(const std::vector<Draw>& draws,
   return all;
 }
 
-// The largest distance, in pixels.
+// The largest distance between a computed and an exact position, in pixels.
 double largest_distance(const ScreenColumns& found, const std::vector<ExactVertexPlace>& places) {
   double largest = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -192,8 +194,9 @@ double depth_of(DepthFormat format, std::uint32_t code) {
   return std::nan("");
 }
 
-// Inverts depth = -a + b/w (perspective) or depth = a z + b (parallel projection); a and b are the
-// entries of the matrix row for clip z.
+// Computes the distance from a depth. Inverts depth = -a + b/w for perspective (w is the distance)
+// and depth = a z + b for parallel projection (the distance is -z); a and b are the entries of the
+// matrix row for clip z.
 double distance_at(const View& view, double depth) {
   const double a = view.clip_from_eye.at(2, 2), b = view.clip_from_eye.at(2, 3);
   if (!view.perspective) return (b - depth) / a;
@@ -213,7 +216,7 @@ Result<SceneVertices> SceneVertices::sample(const Scene& scene, const View& view
   SceneVertices vertices(scene, view);
   std::size_t all = 0;
   for (const Draw& draw : vertices.list_.draws) all += draw.mesh->positions.size();
-  // Ten times as many vertices as needed are examined, because most of a scene may be out of sight.
+  // Examines ten times as many vertices as needed, because most of a scene may be out of sight.
   const std::size_t step = std::max<std::size_t>(1, all / (10 * most));
   std::vector<ExactVertexPlace> inside, beside;
   std::size_t number = 0;

@@ -24,22 +24,22 @@ struct ExactVertexPlace {
 // The vertices of a scene as seen in one view.
 class SceneVertices {
 public:
-  // Takes `most` vertices inside the picture, evenly spread over the tables; if there are none,
-  // vertices beside the picture. The scene must outlive this object. An error if no vertex is
-  // between the near and far planes.
+  // Takes `most` vertices inside the picture, evenly spread over the meshes' vertices; if there are
+  // none, vertices beside the picture. The scene must outlive this object. Returns an error if no
+  // vertex is between the near and far planes.
   static Result<SceneVertices> sample(const Scene& scene, const View& view,
                                       std::size_t most = 4000);
 
   // The largest distance on the screen between the place to which glassbox render snaps a vertex
   // and its exact place, in pixels.
   double position_error() const;
-  // Compares ways of vertex arithmetic and numbers of subpixel bits, by their errors only. They are
-  // not timed: glassbox render has one way, and the time of a separate loop would not show what
-  // another way costs inside render.
+  // Compares kinds of vertex arithmetic and numbers of subpixel bits, by their errors only. They
+  // are not timed: glassbox render has only one of them, and the time of a separate loop would not
+  // show what another one costs inside render.
   Comparison positions() const;
-  // The largest error of the distances that a depth buffer of this format gives back, as a share of
-  // the distance, or for parallel projections of the distance between the planes. The view must
-  // have the depth range of the format.
+  // The largest error of the distances that are computed back from a depth buffer of this format,
+  // as a fraction of the distance, or for parallel projections of the distance between the planes.
+  // The view must have the depth range of the format.
   double depth_error(DepthFormat format) const;
 
   std::size_t count() const { return places_.size(); }

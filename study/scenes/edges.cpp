@@ -37,7 +37,8 @@ void mark_differences(const Image<std::uint32_t>& a, const Image<std::uint32_t>&
   }
 }
 
-// The picture moves by -offset; screen y points down.
+// Moves the picture by -offset, so that what was at the sample is now at the pixel centre. The
+// signs of x and y differ because y points down on the screen.
 View view_at_sample(View view, const SampleOffset& offset) {
   const double x = -2.0 * offset.x / kSubpixels / view.viewport.width();
   const double y = 2.0 * offset.y / kSubpixels / view.viewport.height();

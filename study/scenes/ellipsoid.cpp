@@ -31,7 +31,7 @@ void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c)
   add_face(mesh, std::array<Corner, 3>{{{a, a}, {b, b}, {c, c}}});
 }
 
-// Adds two triangles, or one at the poles.
+// Adds one quad of the grid as two triangles; at the poles it is a single triangle.
 void add_quad(Mesh& mesh, const EllipsoidGrid& grid, int s, int l) {
   const std::uint32_t row = std::uint32_t(grid.slices) + 1;
   const std::uint32_t a = std::uint32_t(s) * row + std::uint32_t(l), d = a + 1;

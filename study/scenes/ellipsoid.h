@@ -10,7 +10,8 @@ namespace glassbox::study {
 struct EllipsoidGrid {
   int stacks = 2;  // number from pole to pole, at least 2
   int slices = 3;  // number around the axis, at least 3
-  int band = 0;    // width of a column band in quads; 0: row by row, from the north pole down
+  // The quads are listed in bands of this many columns; 0: row by row, from the north pole down.
+  int band = 0;
 };
 
 inline std::uint64_t triangles_of(const EllipsoidGrid& grid) {

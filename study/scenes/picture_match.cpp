@@ -14,7 +14,7 @@ int largest_difference(const Rgba8& a, const Rgba8& b) {
   return std::max({apart(a.r, b.r), apart(a.g, b.g), apart(a.b, b.b), apart(a.a, b.a)});
 }
 
-// Whether one of the pixel's neighbours looks different.
+// Whether one of the pixel's neighbours has another coverage or a visibly different colour.
 bool shows_edge(const EnginePicture& ours, int x, int y) {
   const auto& [color, covered] = ours.picture;
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, color.height - 1); ++v) {
@@ -44,12 +44,12 @@ void mark_covered(const Image<std::uint32_t>& depth, Image<std::uint8_t>& covere
   }
 }
 
-// Two programs may snap the ends of an edge up to 1/256 px apart. In each row or column that the
-// edge crosses, the pixel nearest to the edge then changes sides with a probability of up to 2/256;
-// the same is true for each of its samples and for each eye. Three pixels per row count as edge
-// pixels, so the expected share is 2/768. This function allows half as many again (3/768 = 1/256),
-// plus two pixels for pictures with hardly any edges, plus the share that is allowed away from
-// edges.
+// Two programs may snap the vertices of an edge up to 1/256 px apart. In each row or column that
+// the edge crosses, the pixel nearest to the edge then changes sides with a probability of up to
+// 2/256; the same is true for each of its samples and for each eye. Three pixels per row count as
+// edge pixels, so the expected fraction of them that differ is 2/(3 * 256) = 2/768. This function
+// allows half as many again (3/768 = 1/256), plus two pixels for pictures with hardly any edges,
+// plus the fraction that is allowed away from edges.
 std::uint64_t PictureMatch::allowed_at_edges() const {
   return 2 + edges * std::uint64_t(bounds.samples * bounds.eyes) / 256 +
          std::uint64_t(bounds.beyond_share * double(edges));

@@ -16,14 +16,15 @@ struct Picture {
 // The allowed differences between two programs' pictures of a scene. docs/benchmark.md explains the
 // numbers.
 struct MatchBounds {
-  // The allowed difference of a channel of the same colour: both programs round a byte once, and
-  // llvmpipe computes light and texture filters with about 8 bits.
+  // Two colours count as the same if no channel differs by more than this: each program rounds to a
+  // byte once, and the software renderer llvmpipe computes light and texture filters with about 8
+  // bits.
   int same_color = 2;  // in 1/255
-  // The share of the pixels away from edges that may differ by more than that, and the largest
-  // difference allowed for them.
+  // The fraction of the pixels away from edges that may differ by more than same_color, and the
+  // largest difference that is allowed for them.
   double beyond_share = 0;
   int beyond = 255;
-  int samples = 1;  // per pixel
+  int samples = 1;  // samples per pixel
   int eyes = 1;     // number of eyes drawn into the picture, each with its own edges
 };
 
@@ -41,18 +42,21 @@ struct PictureMatch {
   MatchBounds bounds;
   std::uint64_t pixels = 0;
   std::uint64_t covered = 0, peer_covered = 0;
-  // The number of visible edge pixels: within one pixel of them there are two different colours, or
-  // a covered and an uncovered pixel.
+  // The number of edge pixels at which an edge is visible: within one pixel of them there are two
+  // different colours, or a covered and an uncovered pixel.
   std::uint64_t edges = 0;
   std::uint64_t coverage_differs = 0;
-  // The number of pixels that both or neither covers, and whose colours differ by more than
-  // same_color of the bounds.
+  // The number of pixels that both programs cover, or neither, and whose colours differ by more
+  // than same_color of the bounds.
   std::uint64_t color_differs = 0;
-  // The pixels of these two kinds that are not at an edge (covered by only one program, or with
-  // different colours), and the largest difference of their colours.
+  // The number of pixels away from edges that only one program covers, and the number of those with
+  // colours that differ by more than same_color.
   std::uint64_t covered_away_from_edges = 0, colored_away_from_edges = 0;
-  int largest_away_from_edges = 0;  // in 1/255
-  int largest_elsewhere = 0;        // in 1/255, of pixels that count as neither
+  // The largest colour difference of a pixel away from edges, in 1/255.
+  int largest_away_from_edges = 0;
+  // The largest colour difference of all pixels that neither coverage_differs nor color_differs
+  // counts, in 1/255.
+  int largest_elsewhere = 0;
   // A histogram of the colour differences away from edges: entry i counts the pixels that differ by
   // i/255.
   std::array<std::uint64_t, 256> differences{};

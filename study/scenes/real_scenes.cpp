@@ -117,7 +117,7 @@ Scene make_hidden() {
   return scene;
 }
 
-// Two rows of five objects in front of the eye; the others are behind it and beside it.
+// Two rows of five objects are in front of the eye; all other objects are behind it or beside it.
 Scene make_scattered() {
   Scene scene = empty_scene("scattered");
   scene.meshes.push_back(

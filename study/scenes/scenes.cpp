@@ -41,12 +41,13 @@ struct Frame {
 RenderSettings bench_settings() {
   RenderSettings settings;
   settings.transfer = Transfer::kNone;
-  settings.background = {26, 31, 38, 255};  // about 0.10, 0.12 and 0.15
-  settings.want_depth = true;               // because the peers also write depth
+  settings.background = {26, 31, 38, 255};  // red, green and blue of about 0.10, 0.12 and 0.15
+  settings.want_depth = true;               // as in the programs it is compared with
   return settings;
 }
 
-// Every scene in this file has a camera that make_view accepts.
+// Returns the view of a camera. It always exists, because make_view accepts the cameras of all
+// scenes in this file.
 View view_of(const Camera& camera, const Frame& frame) {
   return make_view(camera, frame.width, frame.height).value();
 }
@@ -86,8 +87,8 @@ BenchScene ellipsoid_scene(std::string name, const EllipsoidGrid& grid, double s
   Transform<World, Object> placed = turned(0.5, 0.3);
   placed.at(0, 3) = shift_x;
   add_object(bench.scene, make_ellipsoid(grid), placed);
-  // The light has 0.9 of the strength that makes a white surface white; the vector is the direction
-  // in which the light travels.
+  // The light has 0.9 of the strength that makes a white surface that faces it fully white; the
+  // vector is the direction in which the light travels.
   add_directional(bench.scene, "light", unit({-1, -1, -2}), 0.9 * kPi);
   return bench;
 }

@@ -32,7 +32,7 @@ struct BenchStereo {
 struct BenchScene {
   std::string name;
   Scene scene;
-  RenderSettings settings;  // without the colour mask, which each pass has
+  RenderSettings settings;  // for all passes; each pass has its own colour mask
   std::vector<BenchPass> passes;
   std::optional<BenchStereo> stereo;  // set if the two passes are the eyes of a pair
   bool reject_objects = true;  // whether a mesh outside the frustum may be rejected as a whole
@@ -54,7 +54,8 @@ bool same_name(std::string_view a, std::string_view b);
 // is an error.
 Result<BenchScene> make_bench_scene(std::string_view name, int width, int height);
 
-// The ellipsoid, light and camera of scene S1 with another grid; used to measure scaling.
+// The ellipsoid, light and camera of scene S1 with another grid; used to measure how the time grows
+// with the number of triangles.
 BenchScene make_ellipsoid_scene(std::string name, const EllipsoidGrid& grid, int width, int height);
 
 // Wraps any scene and view into a benchmark scene with one pass.

@@ -22,12 +22,13 @@ inline views::Matrix3d sample_intrinsic() {
   return k;
 }
 
-// The rotation of the quaternion (1, x, y, z).
+// The rotation that belongs to the quaternion (1, x, y, z) after normalising.
 inline views::Matrix3d turned_by(double x, double y, double z) {
   return Eigen::Quaterniond(1, x, y, z).normalized().toRotationMatrix();
 }
 
-// Two such cameras; the right one is at `centre` and turned by `rotation`.
+// Two cameras with the intrinsic matrix sample_intrinsic(); the right one is at `centre` and turned
+// by `rotation`.
 inline views::StereoRig rig_at(const views::Vector3d& centre,
                                const views::Matrix3d& rotation = views::Matrix3d::Identity()) {
   views::StereoRig rig;
@@ -45,13 +46,15 @@ inline views::Vector3d random_ball_point(Random& random) {
   }
 }
 
-// A rig whose right camera is 0.3 to 1 away in any direction and turned by up to half a radian.
+// A rig whose right camera is 0.3 to 1 unit away from the left one in any direction and turned by
+// up to half a radian.
 inline views::StereoRig random_rig(Random& random) {
   const views::Vector3d centre = random_ball_point(random), axis = random_ball_point(random) / 8;
   return rig_at(centre, turned_by(axis.x(), axis.y(), axis.z()));
 }
 
-// A nearly normal random number, as the sum of twelve uniform ones; only the tails differ.
+// A nearly normal random number, as the sum of twelve uniform ones; only the tails differ from
+// those of a normal distribution.
 inline double gaussian(Random& random) {
   double sum = -6;
   for (int i = 0; i < 12; ++i) sum += random.unit();
@@ -78,8 +81,8 @@ inline views::Match project_match(const views::StereoRig& rig, const views::Vect
   return match;
 }
 
-// A random point that the left picture shows, between two distances along its gaze, and in front of
-// the right camera.
+// A random point that the left picture shows, between two distances along the left camera's gaze,
+// and in front of the right camera.
 inline views::Vector3d random_visible_point(Random& random, const views::StereoRig& rig,
                                             double nearest, double farthest) {
   for (;;) {

@@ -9,13 +9,14 @@ namespace glassbox::study {
 
 namespace {
 
-// Indices into the tables; kNone where the vertex lacks the attribute.
+// The indices of a vertex into the mesh's tables; kNone where the vertex lacks the attribute.
 struct Vertex {
   std::uint32_t position = kNone, normal = kNone, texcoord = kNone, color = kNone;
   friend auto operator<=>(const Vertex&, const Vertex&) = default;
 };
 
-// An empty index list means that the indices of the positions are used.
+// Returns the index of a corner's attribute. If the attribute has no index list of its own, the
+// indices of the positions are used.
 std::uint32_t entry(const std::vector<std::uint32_t>& indices, const CornerIndices& all,
                     std::size_t corner) {
   return indices.empty() ? all.positions[corner] : indices[corner];
@@ -80,7 +81,8 @@ private:
     }
   }
 
-  // Indices beyond the end of the table mean face normals.
+  // Appends a normal. An index beyond the end of the table of normals stands for the normal of a
+  // face, whose number is the index minus the table's size.
   void append_normal(std::uint32_t index) {
     Normal<Object> normal{};
     if (index < mesh_.normals.size()) {

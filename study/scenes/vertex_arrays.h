@@ -9,8 +9,8 @@
 
 namespace glassbox::study {
 
-// Each vertex has a position (3 floats), then those of these attributes that the mesh has: normal
-// (3), texture coordinates (2) and colour (4).
+// Each vertex has a position (3 floats), then the attributes that the mesh has, in this order:
+// normal (3 floats), texture coordinates (2) and colour (4).
 struct VertexArrays {
   std::vector<float> vertices;
   std::vector<std::uint32_t> indices;  // three per triangle, in the order of the triangulation

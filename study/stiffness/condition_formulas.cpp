@@ -20,7 +20,7 @@ double half_ulp(float x) {
   return double(ulp(x)) / 2;
 }
 
-// The double area and the longest side of a triangle.
+// Twice the area of a triangle, and its longest side.
 struct Shape {
   double double_area = 0, longest = 0;
 };
@@ -81,7 +81,7 @@ double sliver_factor(const std::array<std::array<double, 2>, 3>& triangle) {
 double sliver_share(const std::array<std::array<double, 2>, 3>& triangle, double moved) {
   const Shape shape = shape_of(triangle);
   if (!(shape.longest > 0)) return kInfinity;
-  // The smallest height of a triangle is the one over its longest side.
+  // The smallest height of a triangle is the height over its longest side.
   const double d = std::sqrt(2.0) * moved;
   const double height = shape.double_area / shape.longest * (1 - 0x1p-40) - 2 * d;
   return height > 0 ? d / height * kRoundUp : kInfinity;
@@ -96,7 +96,8 @@ UpAngle up_angle(const Vector<World, double>& gaze, const Vector<World, double>&
   const double width = std::abs(double(view.viewport.right) - double(view.viewport.left));
   const double height = std::abs(double(view.viewport.bottom) - double(view.viewport.top));
   const double half_diagonal = std::hypot(width, height) / 2;
-  // A parallel view turns about the centre of the picture.
+  // A parallel view has no focal length; the half diagonal is used in its place, because a wrong
+  // angle turns the picture about its centre.
   const double focal = view.perspective ? pixels_per_unit(view) : half_diagonal;
   angle.pixels = 3 * entry * (focal + half_diagonal * half_diagonal / focal) * kRoundUp;
   return angle;

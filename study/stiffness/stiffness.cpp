@@ -39,7 +39,8 @@ struct WorstCondition {
   }
 };
 
-// The depth that a pixel holds and its error bound; the start value is farther than every depth.
+// The depth that a pixel holds and its error bound `off`; the start value is farther than every
+// depth.
 struct StoredDepth {
   double depth = 2, off = 0;
 };
@@ -123,7 +124,7 @@ public:
   }
 
 private:
-  // ---- seeing ----
+  // ---- what the run shows ----
 
   bool is_in_picture(const ScreenVertex& screen) const {
     const Viewport& v = view_.viewport;
@@ -131,8 +132,8 @@ private:
            screen.position.y >= v.top && screen.position.y <= v.bottom;
   }
 
-  // If the error bounds of two depths overlap, the order of their codes may differ from the order
-  // of the exact depths.
+  // Counts a depth test as doubtful if the error bounds of the two depths overlap: the order of
+  // their codes may then differ from the order of the exact depths.
   void add_depth_test(const TracedFragment& fragment, double bound) {
     const DepthFormat format = settings_.depth;
     const bool whole = format == DepthFormat::kUnorm24 || format == DepthFormat::kUnorm16;
@@ -180,16 +181,16 @@ private:
       exact[k] = {double(screen.position.x), double(screen.position.y)};
       moved = std::max({moved, bound.x, bound.y});
     }
-    // Snapping moves a vertex by up to half a step, and its float position is up to `moved` from
-    // the exact one.
+    // Snapping moves a vertex by up to half a snapping step, and before that its float position is
+    // up to `moved` away from the exact one.
     constexpr double kHalfStep = 0.5 / kSubpixels;
     sliver_.add(sliver_share(exact, moved + kHalfStep), sliver_factor(exact), {},
                 {triangle.instance, triangle.number, {}, {}, -1, -1});
   }
 
-  // ---- saying ----
+  // ---- the result ----
 
-  // Adds a number, if something of this kind was seen.
+  // Adds the condition number to `found`, if the run has shown something of this kind.
   static void add(ConditionKind kind, const WorstCondition& worst, Stiffness& found,
                   std::optional<std::uint64_t> tests_in_doubt = {}) {
     if (!worst.place) return;
@@ -234,7 +235,7 @@ private:
   const View& view_;
   const RenderSettings& settings_;
   BoundsOfRun bounds_;
-  std::vector<double> sizes_;  // indexed by mesh
+  std::vector<double> sizes_;  // the size of each mesh
   Transform<Clip, Object> clip_from_object_;
   WorstCondition depth_, inverse_w_, divide_, offset_, sliver_, texcoord_;
   double nearest_ = kInfinity, farthest_ = 0;

@@ -1,5 +1,5 @@
-// The condition numbers of a scene in one view (condition_formulas.h): where each is worst, the
-// bound that follows, and advice.
+// The condition numbers of a scene in one view (condition_formulas.h): the place where each is
+// worst, the error bound that follows from it, and advice.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct ConditionNumber {
   double condition = 0;  // may be infinite
   double bound = 0;      // infinite: no bound exists
   std::string unit;      // unit of the bound: "px", "of distance", "of range", "of 1/w", "texels"
-  // the bound in pixels of the picture, if the error moves or separates something there
+  // The bound in pixels of the picture, if the error moves or separates things in the picture.
   std::optional<double> pixels;
   std::string formula;  // formula of the bound
   std::string source;   // for example "extreme case of slivers (C-47)"
@@ -37,9 +37,9 @@ struct ConditionNumber {
   std::optional<std::uint64_t> tests_in_doubt;
   std::string advice;
 
-  // Whether an error of this size is visible: more than a pixel of the picture, or a texel, and
-  // somewhere where it can do harm.
-  bool passes() const {
+  // Whether the bound is larger than a pixel of the picture, or than a texel, so that the error may
+  // be visible; false if no depth test is in doubt.
+  bool is_above_limit() const {
     if (tests_in_doubt == 0) return false;
     return !(pixels.value_or(unit == "texels" ? bound : 0) <= 1);
   }

@@ -27,12 +27,12 @@ public:
   Outcome diff(const std::string& options = "") const {
     return here.run("diff a.png b.png " + options);
   }
-  void write_mask(const std::string& name, std::vector<PixelAt> black, int width = 24) const {
+  void write_mask(const std::string& name, std::vector<PixelPosition> black, int width = 24) const {
     StoredImage mask = blank(width, 18, 1, Format::kBytes);
     for (int y = 0; y < 18; ++y) {
       for (int x = 0; x < width; ++x) set_sample(mask, x, y, 0, 1);
     }
-    for (const PixelAt& at : black) set_sample(mask, at.x, at.y, 0, 0);
+    for (const PixelPosition& at : black) set_sample(mask, at.x, at.y, 0, 0);
     here.write(name, png_of(mask));
   }
   WorkingDirectory here;

@@ -173,7 +173,7 @@ TEST_CASE("bytes from memory have the limits of a file") {
   limits.max_file_bytes = kTriangle.size() - 1;
   const auto refused = load_scene_memory(bytes, limits);
   REQUIRE(!refused);
-  CHECK(contains(refused.error().cause, "more than the limit"));
+  CHECK(contains(refused.error().cause, "the most that is read"));
 }
 
 }  // namespace

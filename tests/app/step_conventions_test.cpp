@@ -82,7 +82,7 @@ TEST_CASE("each planted slip is named: by a finding, or by the first change that
        {kModel, book::product(book::translation(-3, -2, -5), turned), kProjection, kPoints},
        nullptr,
        "view-factors",
-       "R * T(-eye)"},
+       "rotation * translation(-eye)"},
       {"view times projection",
        {kModel, book::identity(), book::product(kView, kProjection), kPoints},
        "factors-exchanged",

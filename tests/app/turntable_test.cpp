@@ -203,7 +203,7 @@ TEST_CASE("turntables that cannot be are refused") {
       {"--turntable", {"--turntable", "--frames N"}},
       {"--frames 3", {"--path FILE.json, or --turntable"}},
       {"--frames 3 --turntable --path p.json", {"--turntable", "the path says"}},
-      {"--frames 3 --turntable --camera 0", {"--camera", "--eye gives the start"}},
+      {"--frames 3 --turntable --camera 0", {"--camera", "--eye says where the camera starts"}},
       {"--frames 3 --turntable --up 0,0,0", {"up"}},
       {"--frames 3 --turntable --eye 0,5,0 --look-at 0,1,0", {"frame 1"}},
       {"--frames 3 --turntable --plot p.svg", {"--plot", "two eyes"}}};

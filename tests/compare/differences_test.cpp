@@ -92,7 +92,7 @@ TEST_CASE("the differences of random pictures are those of a pixel-by-pixel comp
     const Case c = random_case(random);
     std::uint64_t compared = 0, differing = 0;
     std::uint32_t largest = 0;
-    PixelAt first;
+    PixelPosition first;
     int left = c.reference.width, top = c.reference.height, right = -1, bottom = -1;
     for (int y = 0; y < c.reference.height; ++y) {
       for (int x = 0; x < c.reference.width; ++x) {
@@ -171,7 +171,7 @@ TEST_CASE("one step in one sample is found wherever it is") {
                                  << ", " << y << ")");
             REQUIRE(found.differing == 1);
             REQUIRE(found.largest == 1);
-            REQUIRE(found.first == PixelAt{x, y});
+            REQUIRE(found.first == PixelPosition{x, y});
             REQUIRE(found.box == PixelBox{x, y, 1, 1});
             REQUIRE(found.region_count == 1);
           }

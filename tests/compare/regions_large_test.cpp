@@ -60,7 +60,7 @@ TEST_CASE("four million single pixels are counted, and the first hundred kept") 
   const auto regions = regions_of([](int x, int y) { return x % 2 == 0 && y % 2 == 0; }, count);
   CHECK(count == std::uint64_t(kSide) * kSide / 4);
   REQUIRE(regions.size() == 100);
-  CHECK(regions[99].worst == PixelAt{198, 0});
+  CHECK(regions[99].worst == PixelPosition{198, 0});
   check_peak(before);
 }
 

@@ -43,12 +43,12 @@ Steps drawn(const std::vector<std::string>& rows) {
 Region fill(Steps& steps, int x, int y) {
   int left = x, right = x, top = y, bottom = y;
   Region region{{}, 0, 0, {x, y}};
-  std::vector<PixelAt> to_see{{x, y}};
-  std::vector<PixelAt> seen;
+  std::vector<PixelPosition> to_see{{x, y}};
+  std::vector<PixelPosition> seen;
   std::vector<std::uint32_t> values{steps.at(x, y)};
   steps.at(x, y) = 0;
   while (!to_see.empty()) {
-    const PixelAt at = to_see.back();
+    const PixelPosition at = to_see.back();
     const std::uint32_t value = values.back();
     to_see.pop_back();
     values.pop_back();
@@ -171,7 +171,7 @@ TEST_CASE("all and nothing are one region and none") {
   REQUIRE(regions.size() == 1);
   CHECK(regions[0].pixels == 63);
   CHECK(regions[0].box == PixelBox{0, 0, 9, 7});
-  CHECK(regions[0].worst == PixelAt{0, 0});
+  CHECK(regions[0].worst == PixelPosition{0, 0});
 }
 
 TEST_CASE("corners touch: a checkerboard is one region") {

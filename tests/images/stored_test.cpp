@@ -356,9 +356,9 @@ TEST_CASE("formats and channels have names") {
 TEST_CASE("what a PNG or a PFM cannot hold is refused with what can") {
   const StoredImage floats = stored<float>(1, 1, 1, {0});
   CHECK(encode_png(floats).error().message() ==
-        "floats cannot be a PNG; write them with encode_pfm");
+        "an image of floats cannot be a PNG; write a PFM (in the library: encode_pfm)");
   CHECK(encode_pfm(row8(3, {0, 0, 0})).error().message() ==
-        "RGB of 8 bits cannot be a PFM; write a PNG instead");
+        "RGB of 8 bits cannot be a PFM, which has 1 or 3 channels of floats; write a PNG instead");
   CHECK_FALSE(encode_pfm(stored<float>(1, 1, 2, {0, 0})));
   CHECK_FALSE(encode_pfm(stored<float>(2, 1, 1, {0})));
   CHECK_FALSE(encode_png(stored<std::uint8_t>(2, 1, 1, {0})));  // a sample is missing
@@ -376,7 +376,7 @@ TEST_CASE("reading an image as stored names the file that it refuses") {
   const auto limited = read_stored(corpus("grey.tga"), {.max_pixels = 5});
   REQUIRE_FALSE(limited);
   CHECK(limited.error().file == corpus("grey.tga"));
-  CHECK(limited.error().cause == "image of 3 x 2 pixels, more than the limit of 5 in all");
+  CHECK(limited.error().cause == "the image has 3 x 2 pixels, but may have at most 5 in all");
   CHECK(read_stored(corpus("options.txt")).error().cause ==
         "not a PNG, JPEG, BMP, TGA, PPM, PGM or PFM image");
 }

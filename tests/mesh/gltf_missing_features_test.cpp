@@ -50,10 +50,11 @@ TEST_CASE("textures that are not drawn are named once for each kind, with the ma
   const json material = {{"normalTexture", texture},
                          {"occlusionTexture", texture},
                          {"pbrMetallicRoughness", {{"metallicRoughnessTexture", texture}}}};
-  check_warnings(textured(material, 3),
-                 {"normal textures are not drawn (3 materials)",
-                  "occlusion textures are not drawn (3 materials)",
-                  "metallic-roughness textures are not drawn (3 materials); their factors are"});
+  check_warnings(textured(material, 3), {"normal textures are not drawn (3 materials)",
+                                         "occlusion textures are not drawn (3 materials)",
+                                         "metallic-roughness textures are not drawn (3 materials); "
+                                         "the materials' metallic and roughness "
+                                         "factors are"});
   json unlit = material;
   unlit["extensions"]["KHR_materials_unlit"] = json::object();
   check_warnings(textured(unlit, 2), {});

@@ -159,7 +159,7 @@ TEST_CASE(
   const Scene apart = folder.load_with("mtllib a.mtl");
   CHECK(apart.materials[0].emission == std::array<float, 3>{0, 0, 0});
   CHECK_FALSE(apart.materials[0].emission_texture);
-  CHECK(warns_of(apart, "map_Ke with other coordinates"));
+  CHECK(warns_of(apart, "(map_Ke) with other coordinates"));
 }
 
 TEST_CASE("OBJ files: nothing outside the file's directory is read") {

@@ -73,7 +73,7 @@ TEST_CASE("PLY: counts are held against the bytes that exist before anything is 
   }
   for (const char* count : {"4294967295", "99999999999"}) {
     CHECK(message_mentions(error_of_ply(with("vertex 3", std::string("vertex ") + count)),
-                           "more than indices can name"));
+                           "but at most 4294967294 are read"));
   }
   CHECK(message_mentions(error_of_ply(with("vertex 3", "vertex -3")), "needs a name and a count"));
   CHECK(message_mentions(error_of_ply(with("vertex 3", "vertex 3e0")), "needs a name and a count"));
@@ -110,8 +110,9 @@ TEST_CASE("PLY: a position that is no finite number is named by its vertex") {
 
 TEST_CASE("PLY: indices out of range are named by their face") {
   CHECK(message_mentions(error_of_ply(with("3 0 1 2", "3 0 1 3")),
-                         "face 0 (line 13): names vertex 3 of 3"));
-  CHECK(message_mentions(error_of_ply(with("3 0 1 2", "3 0 -1 2")), "names vertex -1 of 3"));
+                         "face 0 (line 13): names vertex 3, but the file has only 3"));
+  CHECK(message_mentions(error_of_ply(with("3 0 1 2", "3 0 -1 2")),
+                         "names vertex -1, but the file has only 3"));
   CHECK(message_mentions(error_of_ply(with("list uchar int", "list uchar float")),
                          "no list 'vertex_indices' of integers"));
   CHECK(message_mentions(error_of_ply(with("3 0 1 2", "3 0 1 x")),
@@ -162,12 +163,12 @@ TEST_CASE("PLY: headers that are not right are refused by their line") {
 TEST_CASE("PLY: limits are kept") {
   LoadLimits limits;
   limits.max_corners = 2;
-  CHECK(
-      message_mentions(error_of_ply(ply_triangle(PlyFormat::kAscii).file(), limits), "limit of 2"));
+  CHECK(message_mentions(error_of_ply(ply_triangle(PlyFormat::kAscii).file(), limits),
+                         "more than 2 corners"));
   limits = {};
   limits.max_file_bytes = 50;
   CHECK(message_mentions(error_of_ply(ply_triangle(PlyFormat::kAscii).file(), limits),
-                         "limit of 50 bytes"));
+                         "more than 50 bytes"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/trace/verdict.h>
 
-#include "app/why/verdict.h"
+#include "app/why/verdict_text.h"
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
 

@@ -97,7 +97,7 @@ Differences regions_at(Random& random, int width, int height, int count) {
   return differences;
 }
 
-bool contains(const PixelBox& box, PixelAt pixel) {
+bool contains(const PixelBox& box, PixelPosition pixel) {
   return pixel.x >= box.x && pixel.x < box.x + box.width && pixel.y >= box.y &&
          pixel.y < box.y + box.height;
 }

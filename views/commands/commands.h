@@ -1,4 +1,4 @@
-// The commands of views/ for run_program.
+// The commands of the folder views/, for run_program().
 #pragma once
 
 #include "cli/options/cli_fwd.h"
@@ -12,7 +12,8 @@ inline constexpr CommandName kCommands[] = {
 
 void add_commands(CLI::App& app, int& exit_code);
 
-// add_commands calls these to add the subcommands of `views`. Each is in a source of its name.
+// add_commands calls these to add the subcommands of `views`. Each is defined in the source file of
+// its name.
 void add_geometry_command(CLI::App& views, int& exit_code);
 void add_match_command(CLI::App& views, int& exit_code);
 void add_layers_build_command(CLI::App& views, int& exit_code);

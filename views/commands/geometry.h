@@ -25,8 +25,8 @@
 
 namespace glassbox::views {
 
-// For the left picture's pixels: how many points are seen in the right picture, or why they are not
-// (S2-03).
+// How many of the left picture's pixels show a point that the right picture shows, too (seen), and
+// how many do not, by the reason (S2-03).
 struct PixelVisibility {
   std::uint64_t seen = 0, hidden = 0, outside = 0, missing = 0, nothing = 0;
 };
@@ -36,7 +36,7 @@ struct GeometryInput {
   std::string pair_description;  // one line on how pair and matches were made; empty for files
   views::Matches matches;        // positions in pixels from the pictures' top left corners
   std::optional<std::array<views::Matrix3d, 2>> intrinsics;  // left, right
-  std::optional<views::RelativePose> truth;                  // |T| in world units
+  std::optional<views::RelativePose> truth;                  // its translation T is in world units
   std::vector<bool> is_outlier;  // for each match, if it is known; else empty
   std::optional<PixelVisibility> visibility;
   std::optional<std::array<Image<Rgba8>, 2>> pictures;
@@ -51,11 +51,11 @@ struct GeometryRequest {
   std::optional<views::Estimator> estimator;  // absent: five points if K is known, else eight
   double sigma = 0.5;                         // px: standard deviation of a coordinate of a match
   std::optional<double> threshold;            // px, of an inlier; absent: 2 sigma
-  double confidence = 0.99;                   // probability that one sample has no outlier
+  double confidence = 0.99;                   // probability that a sample without outliers is drawn
   std::uint32_t seed = 1;                     // for the random samples, the noise and the outliers
 };
 
-// The inliers' residuals, px.
+// Statistics of the inliers' residuals, px.
 struct ResidualFacts {
   double rms = 0, median = 0, largest = 0;
 };
@@ -75,8 +75,8 @@ struct PoseErrors {
 // A comparison with matches that are known to be outliers.
 struct OutlierFacts {
   int planted = 0;
-  int kept = 0;  // outliers that count as inliers, being near their epipolar line by chance
-  int lost = 0;  // true matches that do not count as inliers
+  int kept = 0;  // outliers taken for inliers, because they are near their epipolar line by chance
+  int lost = 0;  // true matches that are not taken for inliers
 };
 
 struct OmittedItem {
@@ -86,11 +86,14 @@ struct OmittedItem {
 struct GeometryReport {
   views::PairRequest request;
   views::PairAnalysis analysis;
-  double samples_wanted = 0;  // by RANSAC's law, from the share of inliers found
+  double samples_wanted = 0;  // by RANSAC's formula (law_text), from the inliers found
 
-  std::optional<views::Matrix3d> essential, essential_of_shift;  // R S; and [t]x R with t = -R T
-  std::optional<std::array<views::Vector3d, 2>> epipoles;        // left, right; homogeneous
-  std::vector<double> epipolar_distances;  // of all matches, px: to the lines, mean of both
+  // The essential matrix in two forms: R S with S = [T]x, and, as in other textbooks, [t]x R with t
+  // = -R T. Here [v]x is the matrix of the cross product with v.
+  std::optional<views::Matrix3d> essential, essential_of_shift;
+  std::optional<std::array<views::Vector3d, 2>> epipoles;  // left, right; homogeneous
+  // For each match, the mean distance of its two points from their epipolar lines, px.
+  std::vector<double> epipolar_distances;
   ResidualFacts sampson, epipolar;
   std::vector<PoseCandidate> candidates;  // empty if no pose was found
   std::optional<PoseErrors> errors;
@@ -116,7 +119,8 @@ struct GeometryScene {
   std::optional<std::array<double, 3>> move;  // right, up, forward; world units
   std::optional<std::array<double, 3>> turn;  // right, up, clockwise; degrees
   views::MatchSampling sampling;              // with the command's seed
-  std::vector<const CLI::Option*> options;    // those that add_geometry_scene_options has added
+  // The options that add_geometry_scene_options has added.
+  std::vector<const CLI::Option*> options;
 
   Arrangement chosen() const;
 };
@@ -126,7 +130,7 @@ void add_geometry_scene_options(CLI::App& command, GeometryScene& scene);
 // The checks that are possible before anything is drawn.
 Result<void> check_geometry_scene(const GeometryScene& scene);
 
-// The pair of the scene, and its cameras in the form of a file.
+// The pair of pictures drawn from the scene, and its two cameras as they can be written to a file.
 struct SceneGeometry {
   GeometryInput input;
   std::array<views::PinholeCamera, 2> cameras;
@@ -141,8 +145,8 @@ struct GeometryFiles {
   bool has_pair() const { return !pair.first.empty(); }
 };
 
-// The cameras of a pair from its file: those with the names of the pictures. If there are two
-// cameras with other names, they are left and right.
+// Reads the two cameras of a pair from the file of cameras: those with the names of the pictures.
+// If the file has two cameras with other names, the first is the left one.
 Result<std::array<views::PinholeCamera, 2>> read_pair_cameras(const GeometryFiles& files);
 
 // Reads a pair, with the cameras as in read_pair_cameras. Errors: pictures of different sizes, and
@@ -163,7 +167,7 @@ std::string law_text(const GeometryReport& report);
 nlohmann::ordered_json geometry_json(const GeometryInput& input, const GeometryReport& report);
 
 // The report on two views as one HTML page that needs no other file: it shows both pictures, and
-// for a point in one its epipolar line in the other.
+// for a point in one picture its epipolar line in the other picture.
 struct GeometryPageOrigin {
   std::string program;  // "glassbox 0.1.0"
   std::string command;  // the command line that made the page

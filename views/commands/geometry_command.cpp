@@ -59,13 +59,14 @@ private:
   bool sigma_given_ = false;
   std::pair<std::string, std::string> pair_output_, rectified_output_;
   std::optional<std::string> matches_output_, cameras_output_, page_, json_output_;
-  std::vector<const CLI::Option*> options_;  // repeated in the command line of the report
+  std::vector<const CLI::Option*> options_;  // options to repeat in the report's command line
 };
 
 namespace {
 
-// The least sigma. Exact matches differ from the geometry only by the rounding of their positions
-// to float, some thousand pixels; with a sigma of 0 they would count as outliers.
+// The least sigma, px. Even exact matches differ slightly from the geometry, because positions of
+// up to some thousand pixels are rounded to float; with a sigma of 0 they would be taken for
+// outliers.
 constexpr double kLeastSigma = 0.05;
 
 using PairOfNames = std::pair<std::string, std::string>;
@@ -90,7 +91,8 @@ void ViewsGeometryCommand::add_request_options(CLI::App& command) {
   add_choice<std::optional<Estimator>>(
       command, "--estimator", request_.estimator,
       {{"8", Estimator::kEightPoint}, {"7", Estimator::kSevenPoint}, {"5", Estimator::kFivePoint}},
-      "number of matches in a sample [5 if K is known, else 8]")
+      "number of matches in a random sample [5 if the matrices K are known by --cameras or "
+      "--scene, else 8]")
       ->group(group);
   add_real(
       command, "--sigma", "PX",
@@ -104,11 +106,11 @@ void ViewsGeometryCommand::add_request_options(CLI::App& command) {
       ->group(group);
   add_real(
       command, "--threshold", "PX", [this](double value) { request_.threshold = value; },
-      "largest Sampson distance of an inlier (px) [2 sigma]")
+      "largest Sampson distance of an inlier (px) [2 x --sigma]")
       ->group(group);
   add_real(
       command, "--confidence", "P", [this](double value) { request_.confidence = value; },
-      fmt::format("probability that one sample without outliers is drawn, 0 < P < 1 [{:g}]",
+      fmt::format("least probability that one of the samples has no outlier, 0 < P < 1 [{:g}]",
                   request_.confidence))
       ->group(group);
   command
@@ -123,8 +125,8 @@ void ViewsGeometryCommand::add_output_options(CLI::App& command) {
   const std::string outputs = "Other outputs";
   command
       .add_option("--draw", page_,
-                  "a page with both pictures, each point's epipolar line in the other one, and the "
-                  "matches coloured by residual")
+                  "a page with both pictures, each point's epipolar line in the other picture, and "
+                  "the matches coloured by residual")
       ->type_name("FILE")
       ->group(outputs);
   add_pair_of_files(command, "--rectified-out", rectified_output_,
@@ -147,7 +149,9 @@ void ViewsGeometryCommand::add_output_options(CLI::App& command) {
 
 void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
   CLI::App& command = *views.add_subcommand(
-      "geometry", "the cameras from the matches of two pictures: F, E, R, T, epipolar lines");
+      "geometry",
+      "two cameras from matching points of their pictures: fundamental matrix F, "
+      "essential matrix E, rotation R, translation T, epipolar lines");
   command.footer(
       "Examples:\n"
       "  glassbox views geometry --scene room --eye-separation 0.3\n"
@@ -160,18 +164,22 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
       "pixels\n"
       "from the top left corner. A file of cameras has the form of vision.middlebury.edu/mview: "
       "their\n"
-      "number, then lines of a picture's name, K, R and t by rows; a point X is at the pixel\n"
-      "K (R X + t). Without cameras only F is found.\n\n" +
+      "number, then lines of a picture's name, the intrinsic matrix K, the rotation R and the\n"
+      "translation t by rows; a point X is at the pixel K (R X + t). Without cameras only F is "
+      "found.\n\n" +
       builtin_help());
   const std::string group = "Pair from files";
   add_pair_of_files(command, "--pair", files_.pair, "the pictures")->group(group);
-  options_.push_back(command.add_option("--matches", files_.matches, "their matches")
-                         ->type_name("FILE")
-                         ->group(group));
   options_.push_back(
-      command.add_option("--cameras", files_.cameras, "their cameras: K, and the truth of R and T")
+      command.add_option("--matches", files_.matches, "the matching points of the pictures")
           ->type_name("FILE")
           ->group(group));
+  options_.push_back(command
+                         .add_option("--cameras", files_.cameras,
+                                     "the cameras of the pictures: their K is used; their R and t "
+                                     "are only the truth to compare with")
+                         ->type_name("FILE")
+                         ->group(group));
   add_geometry_scene_options(command, scene_);
   const std::size_t before = command.get_options().size();
   add_request_options(command);
@@ -184,7 +192,7 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
 Result<void> ViewsGeometryCommand::check_sources() const {
   const bool from_files = files_.matches || files_.cameras || files_.has_pair();
   if (scene_.scene && from_files) {
-    return fail("--scene", "it draws the pair, but the pair is given as files too",
+    return fail("--scene", "this option draws the pair, but the pair is given as files too",
                 "leave out --pair, --matches and --cameras, or --scene");
   }
   if (scene_.scene) return check_geometry_scene(scene_);
@@ -201,7 +209,7 @@ Result<void> ViewsGeometryCommand::check_sources() const {
   }
   if (!words.empty())
     return fail(words.front(), "it is only for a pair that --scene draws",
-                "add --scene, or leave it out");
+                "add --scene, or leave this option out");
   return {};
 }
 

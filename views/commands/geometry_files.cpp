@@ -45,17 +45,19 @@ const views::NamedCamera* camera_named(const NamedCameras& cameras, const std::s
   return found == cameras.end() ? nullptr : &*found;
 }
 
-// The cameras of the two pictures, in the pictures' order. If there are exactly
-// two cameras and the names do not decide (no camera has a picture's name, or both pictures have
-// the same name), the first camera is taken for the left one.
+// The cameras of the two pictures, in the pictures' order. If there are exactly two cameras and the
+// names do not decide (no camera has a picture's name, or both pictures have the same name), the
+// first camera is taken for the left one.
 Result<std::array<views::PinholeCamera, 2>> pair_cameras(const NamedCameras& cameras,
                                                          const GeometryFiles& files) {
   const std::string& file = *files.cameras;
   const bool are_two = cameras.size() == 2;
   if (cameras.size() < 2 || (!are_two && !files.has_pair())) {
-    return tl::unexpected(Error{
-        file, "", fmt::format("it has {} cameras, but a pair has two", cameras.size()),
-        cameras.size() < 2 ? "add the other one" : "name the two with --pair, or leave two in it"});
+    return tl::unexpected(
+        Error{file, "", fmt::format("it has {} cameras, but a pair has two", cameras.size()),
+              cameras.size() < 2
+                  ? "add the other camera"
+                  : "name the two pictures with --pair, or leave only two cameras in the file"});
   }
   const std::array in_order{cameras[0].camera, cameras[1].camera};
   if (!files.has_pair()) return in_order;
@@ -69,8 +71,9 @@ Result<std::array<views::PinholeCamera, 2>> pair_cameras(const NamedCameras& cam
       Error{file, "",
             fmt::format("none of its {} cameras is for {}", cameras.size(),
                         in_quotes(left == nullptr ? left_picture : right_picture)),
-            are_two ? "name both pictures as it does"
-                    : "name the pictures as it does, or leave two cameras in it: left, right"});
+            are_two ? "name both pictures as the file of cameras does"
+                    : "name the pictures as the file of cameras does, or leave only two cameras in "
+                      "it: left, right"});
 }
 
 Result<void> add_cameras(const GeometryFiles& files, GeometryInput& input) {

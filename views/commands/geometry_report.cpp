@@ -40,7 +40,8 @@ Result<void> check_matches(const views::Matches& matches) {
 Result<views::PairRequest> make_pair_request(const GeometryInput& input,
                                              const GeometryRequest& request) {
   if (request.estimator == Estimator::kFivePoint && !input.intrinsics) {
-    return fail("--estimator", "five matches determine the cameras only if K is known",
+    return fail("--estimator",
+                "five matches determine the cameras only if their intrinsic matrices K are known",
                 "give --cameras, or --estimator 8 or 7");
   }
   const Estimator usual = input.intrinsics ? Estimator::kFivePoint : Estimator::kEightPoint;
@@ -64,8 +65,8 @@ ResidualFacts facts_of(const std::vector<double>& residuals, const std::vector<b
   return {std::sqrt(squares / double(kept.size())), kept[kept.size() / 2], kept.back()};
 }
 
-// The four poses of an E differ by half a turn or by opposite directions, so the one close to the
-// chosen pose is the chosen one.
+// Lists the four poses that E allows. They differ from each other by half a turn or by opposite
+// translations, so the one that is close to the pose of the analysis is the chosen one.
 std::vector<PoseCandidate> candidates_of(const GeometryReport& report) {
   const views::RelativePose& chosen = *report.analysis.pose;
   const auto& [left, right] = *report.request.intrinsics;

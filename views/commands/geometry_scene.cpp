@@ -50,7 +50,8 @@ Rotation rotation_in_plane(int first, int second, double degrees) {
   return turned;
 }
 
-// The same camera, moved and turned. In eye space x is right, y is up, and the gaze is -z.
+// The camera of `view`, moved and turned. In eye space x is right, y is up, and the direction of
+// view is -z.
 View moved_view(const View& view, const std::array<double, 3>& move,
                 const std::array<double, 3>& turn) {
   constexpr int kX = 0, kY = 1, kZ = 2;
@@ -161,8 +162,9 @@ void add_geometry_scene_options(CLI::App& command, GeometryScene& scene) {
              "rotation of the second camera: right, up, clockwise (degrees) [0,0,0]");
   add_real(command, "--noise", scene.sampling.noise, "PX",
            "standard deviation of each coordinate of a match (px) [0]");
-  add_real(command, "--outliers", scene.sampling.outliers, "SHARE",
-           "share of matches whose right point is random, 0 <= SHARE < 1 [0]");
+  add_real(
+      command, "--outliers", scene.sampling.outliers, "SHARE",
+      "share of wrong matches, whose point in the right picture is random, 0 <= SHARE < 1 [0]");
   command
       .add_option("--count", scene.sampling.count,
                   fmt::format("largest number of matches [{}]", scene.sampling.count))
@@ -191,12 +193,12 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
                 fmt::format("give 8 to {}", kMostMatches));
   }
   if (scene.picture.eyes.seen_by) {
-    return fail("--seen-by", "the geometry is about both pictures", "leave it out");
+    return fail("--seen-by", "the geometry is computed from both pictures", "leave it out");
   }
   const bool is_arbitrary = scene.chosen() == Arrangement::kArbitrary;
   if (!is_arbitrary && (scene.move || scene.turn)) {
     return fail(scene.move ? "--move" : "--turn",
-                fmt::format("a {} pair is decided by --eye-separation and --window",
+                fmt::format("the cameras of a {} pair are placed by --eye-separation and --window",
                             name_of(scene.chosen())),
                 "leave it out, or give --arrangement arbitrary");
   }
@@ -207,7 +209,7 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
   const EyesOptions& eyes = scene.picture.eyes;
   if (is_arbitrary && (eyes.separation || eyes.window)) {
     return fail(eyes.separation ? "--eye-separation" : "--window",
-                "an arbitrary pair is decided by --move and --turn", "leave it out");
+                "the cameras of an arbitrary pair are placed by --move and --turn", "leave it out");
   }
   if (is_arbitrary && scene.turn) {
     for (const double degrees : *scene.turn) {

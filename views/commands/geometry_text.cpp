@@ -18,7 +18,7 @@ std::string heading(const std::string& name, const std::string& what) {
   return wrapped(fmt::format("{:<12}", name), what);
 }
 
-// Rounded before printing, so that a tiny negative number is not printed as -0.
+// Rounds before printing, so that a tiny negative number is not printed as -0.
 std::string number(double value, int decimals) {
   const double unit = power_of_ten(decimals);
   return fmt::format("{:12.{}f}", std::round(value * unit) / unit + 0.0, decimals);
@@ -38,8 +38,8 @@ std::string vector_line(const std::string& name, const Vector3d& vector, const s
                      number(vector.z(), 6), what);
 }
 
-// Farther away than this many pixels, an epipole's position is only a rounding error of its
-// direction.
+// An epipole further away than kFar pixels is printed as a direction: its position would only be a
+// rounding error of the direction.
 std::string epipole_text(const Vector3d& epipole) {
   constexpr double kFar = 1e7;
   const views::Vector2d direction = epipole.head<2>();
@@ -73,7 +73,7 @@ std::string estimation_lines(const GeometryReport& report) {
   const auto& classification = analysis.classification;
   const bool is_undecided = analysis.why_no_model && analysis.samples == 0;
   std::string text =
-      heading("samples", is_undecided ? "none determines a model; all matches are tested"
+      heading("samples", is_undecided ? "no sample determines the cameras; all matches are tested"
                                       : fmt::format("{} drawn, {}; {}", analysis.samples,
                                                     name_of(request.estimator), law_text(report)));
   std::string planted;

@@ -76,7 +76,7 @@ Result<std::optional<views::PinholeCamera>> camera_in(const std::string& path,
     if (camera.picture == name) return camera.camera;
   }
   return fail(printable(path), "has no camera for the picture " + printable(name),
-              "give the picture's own file of cameras");
+              "give the file of cameras that was written with the picture");
 }
 
 Json wall_json(const views::Wall& wall) {
@@ -131,7 +131,8 @@ void ViewsGlyphsCommand::add_layout(CLI::App& command) {
           "columns and rows of a panel [6x10]")
       ->type_name("CxR")
       ->group(group);
-  command.add_option("--first", layout_.first, "the number of the first glyph [0]")
+  command
+      .add_option("--first", layout_.first, "the number of the first glyph; the others follow [0]")
       ->type_name("N")
       ->group(group);
   const auto in_metres = [&](const char* name, double& target, const char* help) {
@@ -141,16 +142,16 @@ void ViewsGlyphsCommand::add_layout(CLI::App& command) {
         ->type_name("MM")
         ->group(group);
   };
-  in_metres("--pitch", layout_.pitch, "distance from glyph to glyph [120]");
-  in_metres("--diameter", layout_.diameter, "diameter of a glyph [90]");
+  in_metres("--pitch", layout_.pitch, "distance from glyph to glyph, in mm [120]");
+  in_metres("--diameter", layout_.diameter, "diameter of a glyph, in mm [90]");
 }
 
 void ViewsGlyphsCommand::add_rules(CLI::App& command) {
   command
       .add_option_function<float>(
           "--threshold", [this](const float& value) { settings_.threshold = value; },
-          "a colour belongs to a prototype if it is within this share of the distance to the next "
-          "prototype [0.4]")
+          "largest distance of a colour from one of the six colours of glyphs, as a fraction of "
+          "that colour's distance to the nearest other one [0.4]")
       ->type_name("T");
   command
       .add_option_function<std::vector<std::string>>(
@@ -158,7 +159,7 @@ void ViewsGlyphsCommand::add_rules(CLI::App& command) {
           [this](const std::vector<std::string>& names) {
             for (const std::string& name : names) leave_out(name);
           },
-          "rules that are not applied: " + rule_names())
+          "rules for glyphs that are not applied: " + rule_names())
       ->delimiter(',')
       ->type_name("RULE[,RULE...]");
   command.add_flag_callback(
@@ -213,9 +214,10 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
   add_choice<KnownIntrinsics>(
       find, "--lens", known_,
       {{"centre", KnownIntrinsics::kCentre}, {"square", KnownIntrinsics::kSquare}},
-      "what is known of the lens without --fov: that its axis is in the middle "
-      "of the picture, or only that pixels are square [centre]");
-  find.add_option("--against", against_, "a file of cameras, with one for the picture")
+      "what is known of the lens if --fov is not given: its axis is in the middle of the picture, "
+      "or only that pixels are square [centre]");
+  find.add_option("--against", against_,
+                  "compare the camera that is found with the true one in this file of cameras")
       ->type_name("FILE");
   add_rules(find);
   add_layout(find);
@@ -241,7 +243,7 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
       choices_of({SweepVariable::kSize, SweepVariable::kBlur, SweepVariable::kOcclusion,
                   SweepVariable::kTilt, SweepVariable::kJpeg, SweepVariable::kBalance,
                   SweepVariable::kCamera, SweepVariable::kThreshold, SweepVariable::kRules}),
-      "what gets worse")
+      "what gets worse from picture to picture")
       ->required();
   add_rules(sweep);
   add_json_output(sweep, json_output_);
@@ -263,8 +265,10 @@ int ViewsGlyphsCommand::sheet() {
   if (!wall) return refuse(wall.error());
   const int panel_number = panel_.value_or(1);
   if (panel_number < 1 || panel_number > layout_.panels)
-    return refuse(
-        {{}, "--panel", fmt::format("the wall has {} of them", layout_.panels), "count from 1"});
+    return refuse({{},
+                   "--panel",
+                   fmt::format("the wall has {} of these panels", layout_.panels),
+                   "give a number from 1 to the number of panels"});
   const double dpi = dpi_.value_or(is_scene ? 50 : 300), per_metre = dpi / views::kMetresOfInch;
   if (const auto good = views::check_panel_picture(*wall, per_metre); !good)
     return refuse(good.error());

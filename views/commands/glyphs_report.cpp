@@ -36,7 +36,7 @@ std::string code_text(const views::GlyphCode& code) {
 
 std::string glyphs_text(const GlyphsReport& report) {
   std::string text =
-      fmt::format("{}: {} regions of {} x {} px, {} of them glyphs\n",
+      fmt::format("{}: {} regions in {} x {} px, {} of them glyphs\n",
                   printable(report.picture, kLongestMessage), report.found.regions.size(),
                   report.width, report.height, report.found.glyphs());
   std::map<std::string_view, int> broken;

@@ -103,10 +103,9 @@ void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
       "the\n"
       "bands of the generated planet. docs/klt.md has more.");
   command
-      .add_option(
-          "BANDS", bands_,
-          "pictures of one size (a band for each grey, three for each colour), headers X.hdr "
-          "of raw cubes, or clouds")
+      .add_option("BANDS", bands_,
+                  "pictures of one size (one band from a grey picture, three from a colour "
+                  "picture), headers X.hdr of raw files of bands (ENVI), or the word clouds")
       ->required();
   const std::size_t before = command.get_options().size();
   command
@@ -115,7 +114,8 @@ void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
       ->type_name("K");
   const auto all = command.get_options();
   options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
-  command.add_option("-o,--output", output_, "a folder for components and reconstruction")
+  command
+      .add_option("-o,--output", output_, "a folder for the components and the reconstructed bands")
       ->type_name("DIR");
   command
       .add_option("--globe", globe_, "a planet with component 1 as its clouds: a scene for render")
@@ -125,7 +125,8 @@ void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
   add_json_output(command, json_output_);
   command
       .add_option("--max-mb", max_megabytes_,
-                  "refuse bands that need more megabytes with their components [" +
+                  "most memory, in megabytes, for the bands and their components; larger input is "
+                  "refused [" +
                       std::to_string(max_megabytes_) + "]")
       ->type_name("N")
       ->group("Limits");
@@ -136,7 +137,7 @@ Result<void> ViewsKltCommand::check_outputs() const {
   std::error_code ignored;
   if (output_ && std::filesystem::exists(*output_, ignored) &&
       !std::filesystem::is_directory(*output_, ignored))
-    return tl::unexpected(Error{*output_, "", "is not a folder", "name another one"});
+    return tl::unexpected(Error{*output_, "", "is not a folder", "name another folder"});
   return Outputs().file(globe_, ".glb").file(page_, ".html").data(json_output_).check();
 }
 
@@ -177,8 +178,8 @@ Result<void> ViewsKltCommand::open() {
   return {};
 }
 
-// Refuses too much memory. In memory at the same time are the bands, their components, and the
-// reconstructed bands if they are written to a file.
+// Refuses too much memory. In memory at the same time are the bands, the kept components, the
+// reconstructed bands, and a copy of these if they are written to a file.
 Result<void> ViewsKltCommand::check_memory(int kept) const {
   const int planes = 2 * files_.count + kept + (output_ ? files_.count : 0);
   return views::check_planes(std::uint64_t(files_.width), std::uint64_t(files_.height),
@@ -208,7 +209,7 @@ Result<void> ViewsKltCommand::write_folder(const KltInput& input, const KltRepor
   if (error)
     return fail("-o",
                 "the folder " + printable(*output_) + " cannot be created: " + error.message(),
-                "name another one");
+                "name another folder");
   for (int k = 0; k < report.kept; ++k) {
     const auto written = write_image(fmt::format("{}/component{}.png", *output_, k + 1),
                                      picture_of(report.components, report.klt, k));

@@ -39,8 +39,7 @@ double share(double part, double all) {
   return all > 0 ? part / all : 0;
 }
 
-// The number of eigenvalues in the group that begins with `first`: those that rounding could
-// exchange with it.
+// The number of eigenvalues in the group (KltReport::groups) that begins with the index `first`.
 int group_size(const KltReport& report, int first) {
   return int(std::ranges::count(report.groups, first));
 }

@@ -28,13 +28,15 @@ struct KltReport {
   int kept = 0;
   views::Bands components;     // the kept components
   views::Bands reconstructed;  // the bands reconstructed from the kept components
-  // for each eigenvalue, the first of those that rounding could exchange with it
+  // For each eigenvalue, the index of the first one in its group: rounding could exchange the
+  // eigenvalues of a group.
   std::vector<int> groups;
   double error = 0;        // mean square distance between the pixels and the reconstructed ones
-  double bound = 0;        // of |error - the sum of the dropped eigenvalues|
-  double correlation = 0;  // the largest between two components, as a share of the trace
-  std::optional<double> truth,
-      best_band_truth;  // |correlation| with the clouds: of component 1; the largest of a band
+  double bound = 0;        // upper bound of |error - sum of the dropped eigenvalues|
+  double correlation = 0;  // largest covariance of two components / trace
+  // The absolute value of the correlation with the clouds' opacity: of component 1, and the largest
+  // one of a single band.
+  std::optional<double> truth, best_band_truth;
 
   bool holds() const;
 };

@@ -1,5 +1,5 @@
-// glassbox views layers build: writes a file with the surfaces that one camera sees, and those
-// behind them.
+// glassbox views layers build: writes a file with the surfaces that one camera sees, and the
+// surfaces behind them.
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -81,7 +81,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kMostLayers = 255, kUsualLayers = 10;
 
-// Parses "32,16" or "32". Throws CLI::ValidationError if that is no number of rays, or too many.
+// Parses "32,16" or "32". Throws CLI::ValidationError if the text has another form, or if there
+// would be too many rays.
 views::RaySampling parse_rays(const std::string& text) {
   constexpr int kMostStrata = 90;  // the largest number whose fourth power is below kMostRays
   views::RaySampling sampling;
@@ -120,9 +121,9 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
       "file of\n"
       "cameras has the form of the Middlebury multi-view pictures: their number, then for each a "
       "name,\n"
-      "K, R and t. --pictures reads each line's picture and its distances along the gaze, "
-      "NAME.pfm; the\n"
-      "first one's camera is that of the layers.\n\n" +
+      "the intrinsic matrix K, the rotation R and the translation t. --pictures reads each line's\n"
+      "picture and its distances along the gaze, NAME.pfm; the first picture's camera is\n"
+      "that of the layers.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp);
   command.add_option("-o,--output", output_, "the layers, .ldi")->type_name("FILE")->required();
@@ -133,7 +134,8 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
       ->check(CLI::Range(1, kMostLayers));
   command
       .add_option("--views", views_,
-                  "more cameras from which the scene is peeled; their pictures have the --size too")
+                  "a file of more cameras from which the scene is peeled; their pictures have the "
+                  "--size too")
       ->type_name("FILE");
   command
       .add_option("--pictures", pictures_,
@@ -141,8 +143,8 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
       ->type_name("FILE");
   command
       .add_option("--epsilon", epsilon_,
-                  "samples of several views are merged if their depths differ by less than this, "
-                  "relatively [1/1024]")
+                  "samples of several views are merged if the relative difference of their depths "
+                  "is below this [1/1024]")
       ->type_name("E")
       ->check(number_between(0, 0.5));
   command.add_flag("--normals", normals_,
@@ -153,7 +155,8 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
   command
       .add_option_function<std::string>(
           "--rays", [this](const std::string& text) { rays_ = parse_rays(text); },
-          "cast rays instead of peeling: M rays [16] in each of N x N x N x N strata")
+          "cast rays instead of peeling: the starts and the directions of the rays are divided "
+          "into N x N parts each, and each of the N^4 pairs of parts gets M rays [16]")
       ->type_name("N[,M]");
   command
       .add_option("--cube", cube_,
@@ -175,8 +178,8 @@ Result<void> LayersBuildCommand::check_sources() const {
     return fail("SCENE", "neither a scene nor pictures are given",
                 "name a scene, or give --pictures");
   if (scene_ && pictures_)
-    return fail("--pictures", "the layers are made from a scene, which is given too",
-                "leave one of them out");
+    return fail("--pictures", "the layers cannot be made from both pictures and a scene",
+                "leave the pictures or the scene out");
   if (const auto good = check_rays(); !good) return good;
   if (!pictures_) {
     if (epsilon_ && !views_ && !rays_)
@@ -185,7 +188,7 @@ Result<void> LayersBuildCommand::check_sources() const {
     return {};
   }
   if (views_)
-    return fail("--views", "it needs a scene that these cameras look at",
+    return fail("--views", "these cameras need a scene to look at",
                 "name a scene, or leave it out");
   if (layers_)
     return fail("--layers", "--pictures has one distance for each pixel", "leave it out");
@@ -193,7 +196,8 @@ Result<void> LayersBuildCommand::check_sources() const {
     return fail(normals_ ? "--normals" : "--ids", "--pictures does not contain surfaces",
                 "name a scene, or leave it out");
   if (const auto words = given_option_words(picture_); !words.empty())
-    return fail(words.front(), "it is an option for drawing a scene", "leave it out");
+    return fail(words.front(), "this option is for drawing a scene, but none is drawn",
+                "leave it out");
   return {};
 }
 
@@ -206,14 +210,16 @@ Result<void> LayersBuildCommand::check_rays() const {
   }
   if (pictures_) return fail("--rays", "rays need a scene that they can hit", "name a scene");
   if (views_ || layers_)
-    return fail(views_ ? "--views" : "--layers", "with --rays nothing is peeled",
+    return fail(views_ ? "--views" : "--layers",
+                "this option is for peeling, but with --rays nothing is peeled",
                 "leave one of the two out");
   if (cube_ && !(*cube_ > 0 && std::isfinite(*cube_)))
     return fail("--cube", fmt::format("{:g} is not a possible width", *cube_),
                 "give a number above 0");
   if (const Shading shading = picture_.settings.shading;
       shading == Shading::kFlat || shading == Shading::kGouraud)
-    return fail("--shade", "with --rays each hit is lit by itself", "give phong or unlit");
+    return fail("--shade", "with --rays each point that a ray hits is lit by itself",
+                "give phong or unlit");
   return {};
 }
 
@@ -222,11 +228,12 @@ Result<void> LayersBuildCommand::check_options(const Scene& scene) const {
   if (settings.wireframe)
     return fail("--wireframe", "layers store surfaces, not lines", "leave it out");
   if (settings.samples > 1)
-    return fail("--samples", "a sample of a layer has one depth", "leave it out");
+    return fail("--samples", "each pixel of a layer has only one depth", "leave it out");
   if (settings.show != Show::kColor) return fail("--show", "layers store colours", "leave it out");
   if (const Material* glass = views::transparent_material(scene))
-    return fail(printable(*scene_), "material \"" + printable(glass->name) + "\" is transparent",
-                "make its surfaces opaque or masked: a sample of a layer hides what is behind it");
+    return fail(
+        printable(*scene_), "material \"" + printable(glass->name) + "\" is transparent",
+        "make its surfaces opaque or masked, because a sample of a layer hides what is behind it");
   return {};
 }
 
@@ -252,7 +259,9 @@ Result<LayersBuildCommand::BuiltLayers> LayersBuildCommand::build_from_scene(
     if (const double side = cube_side(chosen->view); !(side / 2 <= views::kFarthest))
       return fail(cube_ ? "--cube" : "--near",
                   fmt::format("rays would start {:g} world units from the eye", side / 2),
-                  fmt::format("{:g} is the most", views::kFarthest));
+                  fmt::format("choose a smaller --cube or --near, so that they start at most {:g} "
+                              "world units from the eye",
+                              views::kFarthest));
     progress.phase("casting rays into " + scene_title(*scene_));
     return build_by_rays(*scene, chosen->camera, chosen->view);
   }
@@ -263,10 +272,10 @@ Result<LayersBuildCommand::BuiltLayers> LayersBuildCommand::build_from_scene(
     if (!cameras) return tl::unexpected(cameras.error());
     const double near = chosen->view.near, far = chosen->view.far;
     if (!(near > 0))
-      return fail(
-          "--views",
-          "these cameras use the near plane of the main camera, which is not in front of it",
-          "give --near");
+      return fail("--views",
+                  "these cameras use the near plane of the main camera, which is not in front of "
+                  "that camera",
+                  "give the distance of the near plane with --near");
     for (const views::NamedCamera& named : *cameras) {
       const auto view =
           views::camera_of_pinhole(named.camera, size.width, size.height, near,

@@ -102,8 +102,8 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
       ->type_name("WxH");
   add_choice(command, "--order", drawing_.order,
              {{"depth", views::LayerOrder::kDepth}, {"occlusion", views::LayerOrder::kOcclusion}},
-             "which sample stays at a pixel: the nearer one, or the later one in McMillan's order "
-             "[depth]");
+             "which sample stays at a pixel: the nearest one, or the last one in McMillan's order "
+             "from back to front [depth]");
   add_choice(command, "--splat", drawing_.splat,
              {{"point", views::Splat::kPoint},
               {"three", views::Splat::kThree},
@@ -144,15 +144,19 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
 Result<void> LayersDrawCommand::check_options() const {
   if (!output_ && !page_) return fail("-o", "no output is given", "name a picture, or give --html");
   if (drawing_.splat == views::Splat::kSoft && drawing_.order == views::LayerOrder::kDepth)
-    return fail("--splat soft", "transparent rims are blended over what is behind them",
-                "give --order occlusion too");
+    return fail("--splat soft",
+                "soft splats have transparent rims, so they must be drawn from back to front, "
+                "which --order depth does not do",
+                "give --order occlusion");
   if (frames_.requests_sequence()) {
     PictureOptions picture;
     picture.camera = camera_;
     if (const auto legal = check_frames_options(picture, false, frames_); !legal) return legal;
     for (const auto& [name, given] : {std::pair("--against", against_.has_value()),
                                       std::pair("--repeat", repeat_.has_value())}) {
-      if (given) return fail(name, "it would be different for each frame", "leave it out");
+      if (given)
+        return fail(name, "this option is for one picture, but several frames are drawn",
+                    "leave it out");
     }
     if (!output_ || *output_ == "-")
       return fail("-o", "several frames cannot go to standard output",
@@ -161,7 +165,8 @@ Result<void> LayersDrawCommand::check_options() const {
     if (const auto good = check_picture_output(*output_, {}, "layers.png"); !good) return good;
   }
   if (output_ == "-" && json_output_ == "-")
-    return fail("--json -", "the picture goes to standard output", "name a file for one of them");
+    return fail("--json -", "the picture goes to standard output already",
+                "name a file for one of the two");
   if (page_) {
     if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
   }
@@ -245,7 +250,8 @@ int LayersDrawCommand::run() {
   const auto layers = views::decode_layers(*bytes, file_);
   if (!layers) return refuse(layers.error());
   drawing_.background = holes_.value_or(layers->background);
-  // Everything is computed before anything is written, except frames, of which there are many.
+  // All results are computed before the first file is written, except frames, which are too many to
+  // be kept.
   Result<std::string> page;
   if (page_) {
     progress.phase("making " + *page_);

@@ -146,8 +146,8 @@ namespace {
 
 // Whether the layers contain the point: some sample of its pixel or of a neighbouring one has
 // nearly the same depth. The samples' depths are those of pixel centres. On a surface at 45 degrees
-// to the gaze, depths within a pixel differ by a pixel's width relative to the distance, which is
-// less than 1/64 in any picture wider than a hundred pixels.
+// to the direction of view, depths within a pixel differ by the width of the pixel on the surface.
+// Relative to the distance, this is less than 1/64 in any picture wider than a hundred pixels.
 bool is_in_layers(const views::LayeredImage& image, const Eigen::Vector4d& there) {
   constexpr double kNear = 1.0 / 64;
   if (!(there.w() > 0)) return false;

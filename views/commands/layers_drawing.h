@@ -1,4 +1,4 @@
-// The views for glassbox views layers draw: single ones, and sequences of frames.
+// The views for `glassbox views layers draw`: single views, and sequences of views (frames).
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,8 @@ public:
   Size size() const { return size_; }
 
 private:
-  // points: all samples if a camera has to be framed, otherwise two corners of the box around them
+  // A scene of points: all samples of the layers, if a camera has to be chosen that shows all of
+  // them; otherwise two corners of the box around them.
   Scene scene_;
   CameraOptions camera_;
   Size size_;
@@ -62,8 +63,8 @@ struct LayersComparison {
   double psnr = 0;        // dB
   std::size_t wrong = 0;  // pixels that differ by more than views::kVisibleDifference in a channel
   std::size_t missing = 0;  // holes where the scene is visible
-  std::size_t interior =
-      0;  // of these, such in a surface that the layers have there: between its samples
+  // The holes whose surface is contained in the layers: gaps between its samples.
+  std::size_t interior = 0;
   double render_ms = 0;
 };
 
@@ -73,8 +74,8 @@ LayersComparison compare_with_scene(const views::LayerPicture& picture, const Vi
 // The page of glassbox views layers draw --html: it shows the layers side by side, and draws them
 // from views that the reader chooses.
 
-// Makes the page. `file` is the name that it shows for the layers. An error if they are too many
-// for a browser.
+// Makes the page. `file` is the name that it shows for the layers. An error if the layers have too
+// many samples for a browser.
 Result<std::string> make_layers_page(const views::StoredLayers& layers, const std::string& file);
 
 }  // namespace glassbox::views

@@ -19,7 +19,7 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr std::size_t kMostSamples = std::size_t(1) << 22;  // they take 32 MB
+constexpr std::size_t kMostSamples = std::size_t(1) << 22;  // of 8 bytes, together 32 MB
 
 nlohmann::ordered_json rows_of(const Eigen::Matrix4d& matrix) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -36,8 +36,8 @@ std::vector<std::uint8_t> bytes_of(const std::vector<Value>& values) {
   return bytes;
 }
 
-// The distance along the gaze of what is in the middle of the picture: the median of the distances
-// there.
+// The distance, along the direction of view, of the point around which the page turns its view: the
+// median of the distances in the middle of the picture.
 double pivot_of(const views::LayeredImage& image, const Eigen::Matrix4d& eye_from_screen) {
   std::vector<double> distances;
   const int width = image.camera.width, height = image.camera.height;
@@ -71,7 +71,7 @@ Result<std::string> make_layers_page(const views::StoredLayers& layers, const st
     if (here > kMost)
       return fail("--html",
                   fmt::format("a pixel has {} samples, but a page can hold {}", here, kMost),
-                  "build them with a larger --epsilon, or fewer --layers");
+                  "build the layers with a larger --epsilon, or with fewer --layers");
     per_pixel.push_back(std::uint16_t(here));
   }
   const Eigen::Matrix4d world_from_eye = views::matrix_of(layers.camera.world_from_eye);

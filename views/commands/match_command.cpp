@@ -68,7 +68,7 @@ private:
   std::uint32_t max_megabytes_ = 4096;
   std::optional<std::string> output_, depth_output_, surface_output_, json_output_, page_;
   std::pair<std::string, std::string> rectified_output_;
-  std::vector<const CLI::Option*> options_;  // repeated in the command line of the report
+  std::vector<const CLI::Option*> options_;  // options to repeat in the report's command line
 };
 
 namespace {
@@ -121,25 +121,27 @@ void ViewsMatchCommand::add_settings_options(CLI::App& command) {
       command, "--cost", cost_,
       choices_of({MatchingCost::kSad, MatchingCost::kSsd, MatchingCost::kNcc, MatchingCost::kZncc,
                   MatchingCost::kCensus, MatchingCost::kAdCensus}),
-      "measure of how different two pixels are [ad-census; fast: census; winner: sad]")
+      "measure of how different two pixels are [ad-census; with --method fast: census; with "
+      "--method winner: sad]")
       ->group(group);
   add_value(command, "--cost-window", window_, "N", group,
-            "side of the square that costs are averaged over, odd, 1 to 15 [1; winner: 11; ncc, "
-            "zncc: 7]");
+            "side of the square that costs are averaged over, in px, odd, 1 to 15 [1; with "
+            "--method winner: 11; with --cost ncc or zncc: 7]");
   add_value(command, "--adaptive", adaptive_, "N", group,
             "rounds of averaging over crosses that end where the colour changes, 0 to 4 [0]");
   add_value(command, "--paths", paths_, "N", group,
-            "directions of semi-global matching: 2, 4, 8, 16; 0: none [8; fast: 4, without those "
-            "from below; winner: 0]");
+            "number of directions of semi-global matching: 2, 4, 8 or 16; 0: none [8; with "
+            "--method fast: 4, none from below; with --method winner: 0]");
   add_value(command, "--planes", planes_, "N", group,
             "rounds of refinement with slanted planes, for fractions of a pixel, 0 to 8 [0]");
   add_value(command, "--left-right", left_right_, "PX", group,
-            "largest difference between the disparities of the left and the right picture [1]");
-  add_value(
-      command, "--confidence", confidence_, "RATIO", group,
-      "leave out pixels whose two lowest costs differ less: (second - best) / second, 0 to 1 [0]");
+            "largest difference between the disparities of the left and the right picture, in px; "
+            "pixels with more are uncertain [1]");
+  add_value(command, "--confidence", confidence_, "RATIO", group,
+            "leave out pixels whose two lowest costs differ by less than this: (second - best) / "
+            "second, 0 to 1 [0]");
   add_value(command, "--speckle", speckle_, "N", group,
-            "remove pieces of fewer pixels than this [0]");
+            "remove connected regions of disparity with fewer pixels than this [0]");
   command.add_flag("--no-check", no_check_, "leave out the left-right check")->group(group);
   command.add_flag("--no-subpixel", no_subpixel_, "only whole disparities")->group(group);
   command.add_flag("--no-median", no_median_, "leave out the median filter")->group(group);
@@ -151,7 +153,8 @@ void ViewsMatchCommand::add_settings_options(CLI::App& command) {
   add_value(command, "--threads", threads_, "N", group,
             "number of threads; the result is always the same [one for each processor]");
   add_value(command, "--max-mb", max_megabytes_, "N", group,
-            fmt::format("refuse cost volumes of more megabytes [{}]", max_megabytes_));
+            fmt::format("most memory, in megabytes, for cost volumes; larger ones are refused [{}]",
+                        max_megabytes_));
 }
 
 void ViewsMatchCommand::add_output_options(CLI::App& command) {
@@ -189,7 +192,8 @@ void ViewsMatchCommand::add_output_options(CLI::App& command) {
       ->group(group);
   command
       .add_option("--depth-out", depth_output_,
-                  "depths F B / (disparity + OFFSET), in the baseline's unit: a .pfm file")
+                  "depths F B / (disparity + OFFSET) by --calibration, in the unit of the baseline "
+                  "B: a .pfm file")
       ->type_name("FILE")
       ->group(group);
   add_json_output(command, json_output_)->group(group);
@@ -207,18 +211,20 @@ void ViewsMatchCommand::add_to(CLI::App& views, int& exit_code) {
       "  glassbox views match left.png right.png --cameras cameras.txt --range -20,60 --html "
       "page.html\n"
       "  glassbox views match --scene room --eye-separation 0.2 --ply room.ply\n\n"
-      "The pictures are rectified: the point at (x, y) of LEFT is at (x - disparity, y) of RIGHT. "
-      "Grey\nand 16-bit pictures are read as 8-bit colours.\n\n" +
+      "LEFT and RIGHT must be rectified already, or be rectified by --cameras: then the point at "
+      "(x, y)\n"
+      "of LEFT is at (x - disparity, y) of RIGHT. Grey and 16-bit pictures are read as 8-bit "
+      "colours.\n\n" +
       builtin_help());
   command.add_option("LEFT", sources_.left, "the left picture, a file");
   command.add_option("RIGHT", sources_.right, "the right picture, a file");
   const std::string group = "What is known";
   add_value(command, "--truth", sources_.truth, "FILE", group,
-            "the left picture's disparities, grey or .pfm; 0 and +inf: unknown");
+            "the left picture's true disparities, a grey picture or .pfm; 0 and +inf: unknown");
   add_value(command, "--truth-right", sources_.truth_right, "FILE", group,
-            "the right picture's disparities, which show what is hidden in it");
+            "the right picture's true disparities, which show what is hidden in it");
   add_value(command, "--truth-scale", sources_.truth_scale, "S", group,
-            "value that the truth stores for a disparity of one pixel [1]");
+            "value that the files of the truth store for a disparity of one pixel [1]");
   command
       .add_option("--cameras", sources_.cameras,
                   "for pictures that are not rectified: their cameras, as views geometry reads "
@@ -241,7 +247,7 @@ Result<void> ViewsMatchCommand::check_sources() const {
   const MatchSources& given = sources_;
   if (given.scene &&
       (given.left || given.truth || given.truth_right || given.truth_scale || given.cameras)) {
-    return fail("--scene", "it draws the pair, so the files and the truth are not needed",
+    return fail("--scene", "this option draws the pair, so the files and the truth are not needed",
                 "leave out the files, --truth and --cameras, or --scene");
   }
   if (given.scene && given.picture.eyes.seen_by) {
@@ -253,7 +259,7 @@ Result<void> ViewsMatchCommand::check_sources() const {
   }
   if (const auto words = given_option_words(given.picture); !words.empty()) {
     return fail(words.front(), "it is only for a pair that --scene draws",
-                "add --scene, or leave it out");
+                "add --scene, or leave this option out");
   }
   if (!given.truth && (given.truth_right || given.truth_scale)) {
     return fail(given.truth_right ? "--truth-right" : "--truth-scale",
@@ -281,7 +287,8 @@ Result<void> ViewsMatchCommand::check_rectified() const {
                     : Result<void>();
   }
   if (sources_.truth) {
-    return fail("--truth", "it belongs to the pictures as they are, but --cameras rectifies them",
+    return fail("--truth",
+                "the truth belongs to the pictures as they are, but --cameras rectifies them",
                 "leave one of the two out");
   }
   if (calibration_) {

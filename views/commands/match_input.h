@@ -20,7 +20,7 @@ namespace glassbox::views {
 struct MatchSources {
   std::optional<std::string> left, right;         // file names
   std::optional<std::string> truth, truth_right;  // file names
-  std::optional<double> truth_scale;              // stored value of one pixel of disparity
+  std::optional<double> truth_scale;              // value stored in the files for 1 px of disparity
   std::optional<std::string> cameras;             // a file, for pictures that are not rectified
   std::optional<std::string> scene;
   PictureOptions picture;  // options for `scene`
@@ -31,18 +31,19 @@ struct MatchInput {
   Image<Rgba8> left, right;
   std::optional<views::StereoTruth> truth;
   std::optional<Image<std::uint8_t>> is_textured;  // only for a rendered pair
-  // only for a rendered pair, or one that was rectified
+  // Only for a rendered pair, or a pair that was rectified.
   std::optional<views::Calibration> calibration;
   std::optional<views::Rectification> rectification;  // set if the pictures were rectified
-  // the method by which visible pixels were found, in words
+  // The method by which the visible pixels were found, in words.
   std::string visible_by;
 };
 
-// Reads the files or draws the scene. The command has checked that one of them is given.
+// Reads the files or draws the scene. The command has checked that either files or a scene is
+// given.
 Result<MatchInput> read_match_input(const MatchSources& sources, Progress& progress);
 
-// The whole disparities that contain the true ones, with one pixel more on either side; the default
-// range if no truth is known.
+// The range of whole disparities that contains the true ones, and one more on either side; the
+// default range if no true disparity is known.
 views::DisparityRange range_of(const views::StereoTruth& truth);
 
 }  // namespace glassbox::views

@@ -50,11 +50,11 @@ Bytes confidence_bytes(const Image<float>& confidence) {
   return bytes;
 }
 
-// The sums of costs, divided by `step` such that the greatest of the searched ones fits into a
-// byte.
+// The sums of costs, divided by `step` so that the greatest sum of a disparity that was searched
+// fits into a byte, below 255.
 struct QuantisedSums {
   int step = 1;
-  Bytes bytes;  // for each pixel, one per disparity; 255 if the other pixel is outside the picture
+  Bytes bytes;  // for each pixel, one per disparity; 255 if the right pixel is outside
 };
 QuantisedSums quantise_sums(const views::CostVolume& sums) {
   QuantisedSums result;

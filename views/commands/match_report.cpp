@@ -53,7 +53,7 @@ std::vector<RegionErrors> evaluate_regions(const MatchInput& input, const Image<
   return all;
 }
 
-// The parts that the result does not have, with the reasons.
+// The results that are left out, with the reasons.
 std::vector<OmittedItem> omitted_items(const MatchInput& input,
                                        const views::MatchSettings& settings,
                                        const views::DenseMatch& match) {
@@ -77,8 +77,9 @@ std::vector<OmittedItem> omitted_items(const MatchInput& input,
                    "--planes 1 allows slanted planes, but takes longer"});
   }
   if (views::sweeps_once(settings)) {
-    out.push_back({"paths from below",
-                   "a single sweep from above uses no cost volume: --method default has them"});
+    out.push_back(
+        {"paths from below",
+         "a single sweep from above uses no cost volume: --method default has these paths"});
   }
   const bool is_drawn = input.is_textured.has_value();
   if (!input.truth) {
@@ -94,7 +95,7 @@ std::vector<OmittedItem> omitted_items(const MatchInput& input,
   }
   if (!is_drawn && !input.rectification) {
     out.push_back({"a check that the rows are epipolar lines",
-                   "it is assumed: --cameras FILE rectifies the pictures"});
+                   "the pictures are taken for rectified: --cameras FILE rectifies them"});
   }
   return out;
 }
@@ -118,11 +119,12 @@ double total_ms(const views::DenseMatch& match) {
   return total;
 }
 
-// The depth error that follows from an error of disparity. The derivative of the depth Z is Z^2/(f
-// B) (S2-13).
+// The error of depth that follows from an error of disparity: the derivative of the depth Z by the
+// disparity is -Z^2/(f B), with the focal length f in px and the distance B between the cameras
+// (S2-13).
 struct DepthFacts {
   double median = 0;     // over the pixels that have a depth
-  double per_tenth = 0;  // the error at that depth for 0.1 px of disparity
+  double per_tenth = 0;  // error at the median depth for 0.1 px of disparity
 };
 std::optional<DepthFacts> depth_facts(const MatchInput& input, const views::DenseMatch& match) {
   if (!input.calibration) return {};
@@ -142,7 +144,7 @@ std::string errors_text(const MatchInput& input, const Image<float>& disparity) 
                   "1 px", "2 px", "4 px", "RMS px", "of good px", "density %");
   for (const RegionErrors& region : evaluate_regions(input, disparity)) {
     const views::DisparityErrors& errors = region.errors;
-    if (errors.known == 0) continue;  // without known pixels there are no shares
+    if (errors.known == 0) continue;  // without known pixels there are no percentages
     text += fmt::format("{:<22}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>9.2f}{:>11.3f}{:>11.1f}\n",
                         region.where, errors.bad_percent[0], errors.bad_percent[1],
                         errors.bad_percent[2], errors.bad_percent[3], errors.rms, errors.rms_good,

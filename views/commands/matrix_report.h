@@ -11,8 +11,9 @@
 
 namespace glassbox::views {
 
-// Three lines, the first with the name, "  H       ", and at its end `what` describes the matrix.
-// `number` writes each number.
+// Three lines of text, one for each row of the matrix. The first line begins with the name, padded
+// to eight characters, and ends with `what`, a description of the matrix. The function `number`
+// writes each number.
 inline std::string matrix_lines(const std::string& name, const views::Matrix3d& matrix,
                                 const std::string& what, std::string (*number)(double)) {
   std::string text;

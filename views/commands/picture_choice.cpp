@@ -60,8 +60,8 @@ void add_picture_choice(CLI::App& command, PictureChoice& choice) {
       ->group(group);
   command
       .add_option("--matte-above", choice.matte_above,
-                  "the object is where any channel is brighter than this, 0 to 255 [masks/ or "
-                  "alpha decide]")
+                  "the object is where any channel is brighter than this, 0 to 255 [the pictures "
+                  "in masks/, or alpha, show where the object is]")
       ->type_name("LEVEL")
       ->check(CLI::Range(0, 255))
       ->group(group);
@@ -69,7 +69,8 @@ void add_picture_choice(CLI::App& command, PictureChoice& choice) {
       ->group(group);
   command
       .add_option("--max-mb", choice.max_megabytes,
-                  fmt::format("refuse work that needs more megabytes [{}]", choice.max_megabytes))
+                  fmt::format("most memory, in megabytes; work that needs more is refused [{}]",
+                              choice.max_megabytes))
       ->type_name("N")
       ->check(CLI::Range(1u, 1u << 20))
       ->group("Engine");
@@ -109,7 +110,8 @@ Result<ChosenPictures> read_pictures(const PictureChoice& choice) {
                 "count from 1");
   }
   if (pictures.size() == 1)
-    return fail("--leave-out", "it is the only picture", "use a set of several pictures");
+    return fail("--leave-out", "the only picture cannot be left out",
+                "use a set of several pictures");
   all.left_out = std::move(pictures[index]);
   pictures.erase(pictures.begin() + std::ptrdiff_t(index));
   return all;
@@ -122,7 +124,7 @@ Result<void> check_memory(const std::string& place, const std::string& what, dou
   return fail(place,
               fmt::format("{} would need {:.0f} MB, but {} MB are allowed", what,
                           std::ceil(bytes / kMegabyte), most_bytes >> 20),
-              place == "--max-mb" ? "use fewer or smaller pictures, or allow more"
+              place == "--max-mb" ? "use fewer or smaller pictures, or allow more megabytes"
                                   : "use larger voxels, or allow more with --max-mb");
 }
 
@@ -147,7 +149,7 @@ Result<views::WorldBox> box_of(const BoxOption& asked, const views::PictureSet& 
     box = *set.box;
   }
   if (!((box.high - box.low).minCoeff() > 0))
-    return fail("--box", "the box is empty", "give its corner of least coordinates first");
+    return fail("--box", "the box is empty", "give the corner of least coordinates first");
   return box;
 }
 

@@ -1,5 +1,5 @@
 // The options shared by commands that read calibrated pictures: which pictures of a folder they
-// use, which one is left out to judge the result by, and where the object is.
+// use, which one is left out, so that the result can be compared with it, and where the object is.
 #pragma once
 
 #include <array>
@@ -41,18 +41,18 @@ Result<void> check_choice(const PictureChoice& choice);
 
 Result<ChosenPictures> read_pictures(const PictureChoice& choice);
 
-// An error if `what` takes more bytes than --max-mb allows. `place` is the option that makes it so
-// large.
+// An error if `what` takes more bytes than --max-mb allows. `place` names the option that decides
+// the number of bytes.
 Result<void> check_memory(const std::string& place, const std::string& what, double bytes,
                           std::uint64_t most_bytes);
 
-// the corners with the least and the greatest coordinates
+// The corners with the least and the greatest coordinates.
 using BoxOption = std::optional<std::array<double, 6>>;
 
 // Adds --box.
 void add_box(CLI::App& command, BoxOption& box);
 
-// The box given by the user, or else the folder's.
+// The box given with --box, or else the one in the pictures' folder.
 Result<views::WorldBox> box_of(const BoxOption& asked, const views::PictureSet& set);
 
 // Reports how well a picture that was left out is reconstructed from a surface.

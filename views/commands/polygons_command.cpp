@@ -102,7 +102,7 @@ void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
   command
       .add_flag_callback(
           "--half-way", [this] { request_.polygons.is_smooth = false; },
-          "put corners half way between voxels, not where their surroundings are half full")
+          "put corners half way between voxels instead of where their surroundings are half full")
       ->group(group);
 
   command
@@ -172,8 +172,9 @@ Result<void> ViewsPolygonsCommand::check_options() const {
 
 Result<void> ViewsPolygonsCommand::check_outputs() const {
   if (output_ && !check_extension(*output_, ".glb") && !check_extension(*output_, ".ply"))
-    return fail(printable(*output_, kLongestMessage), "is neither .glb nor .ply",
-                "name it surface.glb");
+    return fail(printable(*output_, kLongestMessage),
+                "the file's name ends neither in .glb nor in .ply",
+                "give a name such as surface.glb");
   return Outputs()
       .file(output_)
       .picture(left_out_output_)
@@ -202,7 +203,8 @@ std::string ViewsPolygonsCommand::command_line() const {
 
 Result<void> ViewsPolygonsCommand::write_outputs(const PolygonsInput& input,
                                                  const PolygonsReport& report) const {
-  // Everything is made before the first file is written.
+  // All outputs are made before the first file is written, so that an error in making them leaves
+  // no file.
   const nlohmann::ordered_json json = polygons_json(input, report);
   Result<std::string> text;
   if (page_) {

@@ -35,15 +35,15 @@ double iou_of(const views::Occupancy& solid, const views::TrueVolume& truth) {
   return overlap.iou();
 }
 
-// An estimate of the number of polygons, which is not known in advance: two for each voxel side on
-// the box's six sides.
+// An estimate of the number of polygons, which is not known in advance: two for each face of a
+// voxel on the box's six sides.
 double polygons_of_box(const views::VoxelGrid& grid) {
   const auto [nx, ny, nz] = grid.count;
   return 4 * (double(nx) * ny + double(ny) * nz + double(nz) * nx);
 }
 
 // An upper bound of the memory in bytes for all outputs, in addition to colouring the voxels and
-// the polygons. All parts are counted as if they existed at the same time.
+// the polygons. All data are counted as if they existed at the same time.
 double extra_bytes(const PolygonsInput& input, const PolygonsRequest& request,
                    const views::VoxelGrid& grid, double polygons) {
   double bytes =
@@ -97,7 +97,8 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
   auto coloring = views::color_polygons(set, solid, settings);
   if (!coloring) return tl::unexpected(coloring.error());
   report.coloring = std::move(*coloring);
-  // The layered images are freed now, and the number of polygons is known.
+  // The memory is checked again, because the layered images are freed now and the number of
+  // polygons is known.
   const auto polygons = double(report.coloring.mesh.polygons.size());
   const double bytes = views::bytes_of(set) + views::polygon_bytes(grid, polygons) +
                        extra_bytes(input, request, grid, polygons);

@@ -39,7 +39,8 @@ struct PolygonsReport {
   // drawn by the engine for the left-out picture's camera
   std::optional<views::TexturedPicture> drawn;
   std::optional<views::TextureErrors> left_out;
-  std::optional<double> iou_before, iou;  // of the solid with the inside of the true scene
+  // Intersection over union of the solid and the true scene's inside, before and after carving.
+  std::optional<double> iou_before, iou;
 };
 
 Result<PolygonsReport> report_polygons(const PolygonsInput& input, const PolygonsRequest& request,

@@ -31,7 +31,7 @@ Result<RectifiedPair> rectify(const Image<Rgba8>& left, const Image<Rgba8>& righ
 std::string rectification_text(const views::Rectification& rectification) {
   return wrapped("rectified   ",
                  fmt::format("{:.1f} % of the left picture and {:.1f} % of the right one are cut "
-                             "off; {:.1f} and {:.1f} % of the rectified ones show nothing",
+                             "off; {:.1f} and {:.1f} % of the rectified pictures show nothing",
                              100 * rectification.lost_left, 100 * rectification.lost_right,
                              100 * rectification.empty_left, 100 * rectification.empty_right)) +
          matrix_lines("H_left", rectification.left, "new pixel = H (x, y, 1)", six_digits) +

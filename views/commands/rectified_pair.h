@@ -22,7 +22,7 @@ struct RectifiedPair {
 Result<RectifiedPair> rectify(const Image<Rgba8>& left, const Image<Rgba8>& right,
                               const views::StereoRig& rig);
 
-// Both matrices, and the parts of the pictures that were lost.
+// The matrices that rectify the two pictures, and the parts of the pictures that were lost.
 std::string rectification_text(const views::Rectification& rectification);
 nlohmann::ordered_json rectification_json(const views::Rectification& rectification);
 

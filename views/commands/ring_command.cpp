@@ -67,11 +67,13 @@ void ViewsRingCommand::add_to(CLI::App& views, int& exit_code) {
       "  glassbox views ring teapot -o ring\n"
       "  glassbox views ring cube -o arc --views 9 --arc 90 --elevation 30\n"
       "  glassbox views ring teapot -o pairs --views 5 --pairs 0.2\n\n"
-      "The folder has a picture and a mask for each camera, ring_par.txt with K, R and t as the\n"
-      "Middlebury multi-view pictures have them, and box.txt with the scene's box. A scene "
-      "without\n"
-      "lights is drawn unlit: its default lamp is at the camera, so a surface would have another\n"
-      "colour in every picture.\n\n" +
+      "The folder has a picture and a mask for each camera, ring_par.txt with each camera's "
+      "intrinsic\n"
+      "matrix K, rotation R and translation t in the form of the Middlebury multi-view pictures, "
+      "and\n"
+      "box.txt with the scene's box. A scene without lights is drawn unlit: its default lamp is at "
+      "the\n"
+      "camera, so the colour of a surface would change from picture to picture.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command.add_option("-o,--output", output_, "the folder")->type_name("DIR")->required();
@@ -124,8 +126,8 @@ void ViewsRingCommand::add_to(CLI::App& views, int& exit_code) {
                            {{"depth", views::Matte::kDepth},
                             {"alpha", views::Matte::kAlpha},
                             {"none", views::Matte::kNone}},
-                           "pixels of a mask: those whose centre shows a surface, or those that "
-                           "are half covered [depth]");
+                           "pixels of a mask: those whose centre shows a surface (depth), or those "
+                           "that are half covered (alpha) [depth]");
   add_choice<std::optional<Shading>>(
       command, "--shade", shading_,
       choices_of({Shading::kUnlit, Shading::kFlat, Shading::kGouraud, Shading::kPhong}),

@@ -23,8 +23,8 @@ void add_float(std::vector<std::uint8_t>& bytes, float value) {
   for (int k = 0; k < 4; ++k) bytes.push_back(std::uint8_t(bits >> (8 * k) & 255));
 }
 
-// For each triangle nine floats (its corners), and three bytes of colour, the mean of its corners'
-// colours. All are 0 for numbers that no triangle has.
+// For each triangle number nine floats (the triangle's corners), and three bytes of colour, the
+// mean of its corners' colours. For a number that no triangle has, they are 0.
 struct SurfaceBytes {
   std::vector<std::uint8_t> places, colors;
 };
@@ -57,7 +57,8 @@ SurfaceJson numbers_of(const views::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-// K [R | -R c], which maps a world point to its pixel.
+// The matrix K [R | -R c], which maps a world point to its pixel, with the camera's intrinsic
+// matrix K, its rotation R and its centre c.
 SurfaceJson projection_json(const views::PinholeCamera& camera) {
   const views::Matrix3d left = camera.intrinsic * camera.camera_from_world;
   const views::Vector3d right = -left * camera.centre;
@@ -69,8 +70,8 @@ SurfaceJson projection_json(const views::PinholeCamera& camera) {
   return rows;
 }
 
-// The pictures with a transparent background, and the triangles between their directions on the
-// sphere.
+// The pictures with a transparent background, and the triangles that connect their directions on
+// the sphere of directions.
 Result<SurfaceJson> textures_json(const SurfacePage& page) {
   SurfaceJson json{{"views", SurfaceJson::array()},
                    {"triangles", SurfaceJson::array()},
@@ -105,7 +106,7 @@ Result<SurfaceJson> textures_json(const SurfacePage& page) {
   return json;
 }
 
-// A bit for each view and triangle: whether the view sees it.
+// A bit for each view and triangle: whether the view sees the triangle.
 std::vector<std::uint8_t> seen_bytes(const SurfacePage& page, std::size_t triangles) {
   const std::size_t views = page.pictures->pictures.size();
   std::vector<std::uint8_t> bytes((views * triangles + 7) / 8, 0);

@@ -1,5 +1,5 @@
 // A surface as one HTML page that needs no other file. The reader can turn it; if there are
-// pictures, it is coloured by those nearest to the eye's direction.
+// pictures, it is coloured by the pictures nearest to the eye's direction.
 #pragma once
 
 #include <cstdint>

@@ -76,13 +76,13 @@ private:
 struct ViewsTextureCommand::TexturingResult {
   explicit TexturingResult(views::TexturedSurface textured) : surface(std::move(textured)) {}
 
-  // One picture reconstructed from the others with one way of blending.
+  // One picture reconstructed from the other pictures with one kind of blending.
   struct HeldOutPicture {
     std::string picture;
     Blend blend = Blend::kBarycentric;
     views::TextureErrors errors;
   };
-  // The PSNR over all pictures as if they were one; NaN if no pixel is covered.
+  // The PSNR over all pictures as if they were one picture; NaN if no pixel is covered.
   double psnr_of_all(Blend blend) const {
     double squares = 0, pixels = 0;
     for (const HeldOutPicture& one : each) {
@@ -125,7 +125,8 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
   add_picture_choice(command, choice_);
   command
       .add_flag("--each", each_,
-                "leave out every picture in turn, and measure how well each blend reproduces it")
+                "leave out each picture in turn, and measure how well each --blend reproduces it "
+                "from the others")
       ->group("Pictures");
   std::string group = "Blend";
   add_choice(command, "--blend", blend_,
@@ -156,7 +157,8 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
       ->group("Picture");
   command
       .add_option("--texels", texels_,
-                  "for --fixed: side of the square of texels for two triangles [8]")
+                  "for --fixed: size of the texture: each pair of triangles gets a square of N x N "
+                  "texels [8]")
       ->type_name("N")
       ->check(CLI::Range(views::kLeastTexels, views::kMostTexels))
       ->group(group);
@@ -212,8 +214,8 @@ void ViewsTextureCommand::print_unused_options() const {
                   {no_picture, {"--size"}, "no picture is drawn without -o"}});
 }
 
-// An upper bound of the memory in bytes for all outputs. All parts are counted as if they existed
-// at the same time.
+// An upper bound of the memory in bytes for all outputs. All data are counted as if they existed at
+// the same time.
 double ViewsTextureCommand::bytes_for(const Scene& scene, const ChosenPictures& pictures) const {
   const views::PictureSet& set = pictures.set;
   double largest = 0;
@@ -227,7 +229,8 @@ double ViewsTextureCommand::bytes_for(const Scene& scene, const ChosenPictures& 
     draw(double(pictures.left_out->color.pixels.size()));
   }
   if (fixed_) bytes += views::static_texture_bytes(views::triangle_number_count(scene), texels_);
-  // The pictures drawn for outputs are kept, with a colour and a number for each pixel.
+  // The pictures drawn for outputs are kept, with a colour and the number of a polygon for each
+  // pixel.
   const double outputs = double(output_.has_value()) + double(pictures.left_out.has_value());
   return bytes + outputs * largest * (sizeof(Rgba8) + sizeof(std::uint32_t)) +
          views::UnlitRenderer::bytes_for(double(views::triangle_number_count(scene)), largest);
@@ -361,7 +364,8 @@ std::string ViewsTextureCommand::command_line() const {
 
 Result<void> ViewsTextureCommand::write_outputs(const Scene& scene, const ChosenPictures& pictures,
                                                 const TexturingResult& found) const {
-  // Everything is made before the first file is written.
+  // All outputs are made before the first file is written, so that an error in making them leaves
+  // no file.
   Result<std::string> made;
   if (page_) {
     SurfacePage page;
@@ -411,7 +415,8 @@ int ViewsTextureCommand::run() {
   if (!pictures) return refuse(pictures.error());
   if (each_ && pictures->set.pictures.size() == 1)
     return refuse(
-        fail("--each", "it is the only picture", "use a set of several pictures").value());
+        fail("--each", "the only picture cannot be left out", "use a set of several pictures")
+            .value());
   const auto found = texture(*scene, *pictures, progress);
   if (!found) return refuse(found.error());
   progress.phase("writing");

@@ -117,44 +117,56 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
                   "each coarser level, 0 to 6 [0]")
       ->type_name("N")
       ->group(group);
-  command.add_option("--slack", request_.slack, "factor on the threshold at coarser levels [2]")
+  command
+      .add_option("--slack", request_.slack,
+                  "factor by which the threshold of the test is larger at coarser levels [2]")
       ->type_name("F")
       ->group(group);
-  command.add_flag("--against-full", against_full_, "count the voxels that coarse to fine loses")
+  command
+      .add_flag("--against-full", against_full_,
+                "also test all voxels without coarser levels, and count those that --levels loses")
       ->group(group);
 
   group = "Consistency";
   add_choice(
       command, "--test", settings.consistency,
       choices_of({Consistency::kDeviation, Consistency::kLikelihood, Consistency::kAdaptive}),
-      "test for one colour: sigma < T, a likelihood ratio, or sigma < k1 M + k2 [sigma]")
+      "test whether pixels show one colour: sigma < T, a likelihood ratio, or sigma < k1 M + k2 "
+      "[sigma]")
       ->group(group);
   const auto add_value = [&](const char* name, double& value, const char* type, const char* help) {
     command.add_option(name, value, help)->type_name(type)->group(group);
   };
   add_value("--threshold", settings.threshold, "T",
-            "T: largest deviation (sigma), in levels of 0 .. 255; inf: accept all [18]");
+            "T: largest standard deviation (sigma) of a voxel's colours, in levels of 0 .. 255; "
+            "inf: accept all [18]");
   add_value("--noise", settings.noise, "S",
-            "noise of the pictures for the likelihood ratio, in levels [6]");
+            "standard deviation of the pictures' noise for the likelihood ratio, in levels of 0 .. "
+            "255 [6]");
   add_value("--significance", settings.significance, "P",
             "share of good voxels that the likelihood ratio may reject [0.001]");
   add_value("--k1", settings.k1, "F",
-            "k1 for --test adaptive: factor on M, the mean deviation within pictures [0.5]");
-  add_value("--k2", settings.k2, "T", "k2 for --test adaptive, in levels [8]");
+            "k1 for --test adaptive: factor of M, the mean of the standard deviations within "
+            "pictures [0.5]");
+  add_value("--k2", settings.k2, "T", "k2 for --test adaptive, in levels of 0 .. 255 [8]");
   add_value("--edges", settings.edge, "S",
-            "voxels with this deviation within every picture are coloured anyway; 0: none [0]");
+            "voxels with at least this standard deviation within every picture are coloured "
+            "anyway; 0: none [0]");
   add_choice(command, "--space", settings.space,
              choices_of({views::ColorSpace::kRgb, views::ColorSpace::kLab}),
              "colour space of the comparison; lab: CIELab, with T in its units [rgb]")
       ->group(group);
-  add_value("--lightness", settings.lightness, "F", "weight of L for --space lab, 0 to 2 [0.5]");
+  add_value("--lightness", settings.lightness, "F",
+            "weight of the lightness L for --space lab, 0 to 2 [0.5]");
   add_choice(command, "--footprint", settings.sampled,
              choices_of({Footprint::kCentre, Footprint::kBox, Footprint::kHull}),
-             "which pixels of a voxel are compared [centre]")
+             "which pixels of a voxel are compared: that of its centre, those of the box around "
+             "it, or those of its outline [centre]")
       ->group(group);
   add_choice(command, "--hides", settings.hidden,
              choices_of({Footprint::kCentre, Footprint::kBox, Footprint::kHull}),
-             "which pixels a coloured voxel hides [box]")
+             "which pixels a coloured voxel hides: that of its centre, those of the box around it, "
+             "or those of its outline [box]")
       ->group(group);
   add_choice(command, "--update", settings.update,
              choices_of({views::OcclusionUpdate::kLayer, views::OcclusionUpdate::kVoxel}),
@@ -162,7 +174,7 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       ->group(group);
   add_choice(command, "--alone", settings.alone,
              choices_of({views::SingleViewPolicy::kReject, views::SingleViewPolicy::kKeep}),
-             "voxels that fewer than two pictures see [reject]")
+             "what happens to voxels that fewer than two pictures see [reject]")
       ->group(group);
 
   add_target_option(command, settings.target)->group("Engine");
@@ -235,7 +247,7 @@ Result<void> ViewsVoxelsCommand::check_options() const {
       return fail(option, "must be at least 0", "give levels of 0 .. 255; for --k1 a factor");
   }
   if (!(request_.slack >= 1))
-    return fail("--slack", "must be at least 1",
+    return fail("--slack", "the factor must be at least 1",
                 "give a factor such as 2, because coarse voxels mix more colours");
   if (!(settings.noise > 0 && std::isfinite(settings.noise)))
     return fail("--noise", "noise must be more than 0 and finite",

@@ -60,7 +60,7 @@ std::vector<std::uint8_t> voxel_bytes(const std::vector<views::ColoredVoxel>& vo
 }
 
 // For each pixel, the first layer that hides what is behind it, or 65535 if none does. A voxel of
-// layer k was seen in the pixels whose number is not below k.
+// layer k was seen in the pixels whose first hiding layer is k or above.
 std::vector<std::uint8_t> hidden_bytes(const views::CalibratedPicture& picture,
                                        const views::ColoringRequest& request,
                                        const views::Coloring& coloring) {
@@ -123,8 +123,9 @@ Result<std::string> make_voxels_page(const VoxelsInput& input,
   manifest["program"] = origin.program;
   manifest["command"] = origin.command;
   manifest["direction"] = {coloring.direction[0], coloring.direction[1]};
-  // The page can repeat a voxel's verdict only if layers are planes, since only then each pixel has
-  // such a number, and only if one pixel per picture was sampled, that of the voxel's centre.
+  // The page can repeat a voxel's verdict only if layers are planes, since only then hidden_bytes
+  // can store one layer for each pixel, and only if one pixel per picture was sampled, that of the
+  // voxel's centre.
   const bool has_layers = coloring.order == views::ColoringOrder::kSweep && !coloring.in_shells &&
                           settings.update == views::OcclusionUpdate::kLayer &&
                           settings.sampled == views::Footprint::kCentre;

@@ -23,7 +23,7 @@ double box_sides(const views::VoxelGrid& grid) {
 }
 
 // An upper bound of the memory in bytes for all outputs, in addition to colouring the voxels. All
-// parts are counted as if they existed at the same time.
+// data are counted as if they existed at the same time.
 double extra_bytes(const VoxelsInput& input, const views::ColoringRequest& request,
                    const VoxelsReportOptions& options, const views::VoxelGrid& grid) {
   const double coloured = box_sides(grid);
@@ -37,8 +37,8 @@ double extra_bytes(const VoxelsInput& input, const views::ColoringRequest& reque
   if (input.truth) {
     bytes += views::TrueVolume::bytes_for(grid) + views::surface_error_bytes(input.set, coloured);
   }
-  // The other colouring's voxels, and a hash set of their positions: a node with a number and a
-  // pointer, and a bucket, for each.
+  // The voxels of the full colouring, and a hash set of their positions: for each position a node
+  // with a number and a pointer, and a bucket.
   if (options.against_full && request.levels > 0) {
     constexpr double kNode = 4 * sizeof(void*) + sizeof(void*);
     bytes += coloured * (sizeof(views::ColoredVoxel) + kNode);
@@ -183,8 +183,8 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
   const auto& [nx, ny, nz] = coloring.grid.count;
   const bool is_carved = coloring.order == views::ColoringOrder::kCarve;
   std::string text = fmt::format(
-      "{}: {} pictures, cameras {}\n{} x {} x {} voxels of {:.6g}, {}\n{}; footprint {}, hides "
-      "{}, after each {}\n",
+      "{}: {} pictures, cameras {}\n{} x {} x {} voxels of {:.6g}, {}\n{}; pixels of a voxel that "
+      "are compared: {}, that it hides: {}, after each {}\n",
       printable(input.set.source, kLongPath), input.set.pictures.size(),
       views::name_of(coloring.traversal), nx, ny, nz, coloring.grid.size, order_text(coloring),
       test_text(request.settings), views::name_of(request.settings.sampled),
@@ -239,8 +239,8 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
   }
   if (!coloring.is_finished) {
     text += fmt::format(
-        "Left out: passes after {}, although the last one carved voxels: more passes might carve "
-        "more.\n",
+        "Stopped after {} passes, the most that are made, although the last pass still carved "
+        "voxels: the shape may be too large.\n",
         coloring.passes);
   }
   if (std::ranges::any_of(input.set.pictures,

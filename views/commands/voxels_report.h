@@ -19,15 +19,15 @@ namespace glassbox::views {
 
 struct VoxelsInput {
   views::PictureSet set;                             // the pictures that the shape is made from
-  std::optional<views::CalibratedPicture> left_out;  // the picture that judges the result
+  std::optional<views::CalibratedPicture> left_out;  // the result is compared with this picture
   std::optional<Scene> truth;
 };
 
 struct VoxelsReport {
   views::Coloring coloring;
   std::uint64_t bytes = 0;  // expected memory for everything
-  // The comparison of coarse-to-fine colouring with that of all voxels: the number of voxels that
-  // only one of them has.
+  // The comparison of coarse-to-fine colouring with that of all voxels: `lost` voxels are found
+  // only if all are coloured, `added` voxels only from coarse to fine.
   struct FullComparison {
     std::int64_t full = 0, lost = 0, added = 0;
     double milliseconds = 0;

@@ -23,9 +23,10 @@ Matrix3d matrix_at(const std::vector<double>& numbers, std::size_t first) {
 Result<void> check_intrinsic(const Matrix3d& k, const std::string& place) {
   const bool is_triangular = k(1, 0) == 0 && k(2, 0) == 0 && k(2, 1) == 0;
   if (!is_triangular || !(k(0, 0) > 0) || !(k(1, 1) > 0) || !(k(2, 2) > 0)) {
-    return fail(place,
-                "K is not a camera matrix: it must be 0 below the diagonal and positive on it",
-                "give the focal lengths, the skew and the principal point, in pixels");
+    return fail(
+        place,
+        "the intrinsic matrix K is wrong: it must be 0 below the diagonal and positive on it",
+        "give the focal lengths, the skew and the principal point, in pixels");
   }
   return {};
 }
@@ -35,11 +36,14 @@ Result<Matrix3d> rotation_of(const Matrix3d& r, const std::string& place) {
   constexpr double kFewDigits = 1e-5;
   const double off = (r.transpose() * r - Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(off <= kFewDigits)) {
-    return fail(place, fmt::format("R is not a rotation: an entry of R^T R - I is {:.3g}", off),
-                "give R perpendicular rows of length 1");
+    return fail(
+        place,
+        fmt::format("the matrix R is not a rotation: an entry of R^T R - I is {:.3g} instead of 0",
+                    off),
+        "give R perpendicular rows of length 1");
   }
   if (r.determinant() < 0) {
-    return fail(place, "R is a mirror, not a rotation: its determinant is -1",
+    return fail(place, "the matrix R is a mirror, not a rotation: its determinant is -1",
                 "change the sign of one of its rows");
   }
   const Eigen::JacobiSVD<Matrix3d> svd(r, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -52,7 +56,8 @@ Result<NamedCamera> camera_of_row(const NumberRow& row) {
     return fail(place,
                 fmt::format("a camera needs a picture's name and {} numbers, but there are {}",
                             kNumbers, row.numbers.size()),
-                "write the name, then K, R and t, the matrices row by row");
+                "write the name, then the intrinsic matrix K, the rotation R and the translation "
+                "t, the matrices row by row");
   }
   const Matrix3d k = matrix_at(row.numbers, 0);
   if (const auto legal = check_intrinsic(k, place); !legal) return tl::unexpected(legal.error());

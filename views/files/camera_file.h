@@ -18,8 +18,9 @@ struct NamedCamera {
   PinholeCamera camera;
 };
 
-// Refused: counts that do not agree, a K that is singular or not upper triangular, and an R that is
-// a mirror or no rotation to within the six digits of such files (entries of R^T R - I up to 1e-5).
+// Refused: a number of cameras other than the first line says, a K that is singular or not upper
+// triangular, and an R that mirrors, or that is no rotation to within the six digits of such files
+// (entries of R^T R - I up to 1e-5).
 Result<std::vector<NamedCamera>> parse_cameras(std::string_view text);
 std::string cameras_text(const std::vector<NamedCamera>& cameras);
 

@@ -34,7 +34,8 @@ std::vector<std::string_view> words_of(std::string_view text) {
   }
 }
 
-// All lines except comments. Empty lines stay, because a picture without points has an empty one.
+// All lines except comments. Empty lines are kept, because a picture without points has an empty
+// line for its points.
 std::vector<Line> lines_of(std::string_view text) {
   std::vector<Line> lines;
   for (std::size_t number = 1; !text.empty(); ++number) {
@@ -89,18 +90,20 @@ Result<Matrix3d> lens_of(const Line& line) {
     constexpr std::size_t kShort = 40;
     return fail(place,
                 in_quotes(std::string(line.words[1].substr(0, kShort))) + " is not a pinhole model",
-                "undistort the pictures (colmap image_undistorter), which makes it PINHOLE");
+                "undistort the pictures (colmap image_undistorter), which makes the model PINHOLE");
   }
   const auto read = numbers_of(line, 4, model->focal + 2 + model->distortion, "cameras.txt");
   if (!read) return tl::unexpected(read.error());
   const double fx = (*read)[0], fy = (*read)[model->focal - 1];
   if (!(fx > 0) || !(fy > 0)) {
-    return fail(place, "K is singular: a focal length is not positive", "calibrate the camera");
+    return fail(place, "a focal length is not positive",
+                "calibrate the camera again, and export the model as text");
   }
   for (std::size_t i = model->focal + 2; i < read->size(); ++i) {
     if ((*read)[i] == 0) continue;
-    return fail(place, "the camera model has distortion, which a pinhole has not",
-                "undistort the pictures (colmap image_undistorter), which makes it PINHOLE");
+    return fail(
+        place, "the camera has distortion, but only pinhole cameras without distortion can be read",
+        "undistort the pictures (colmap image_undistorter), which makes the model PINHOLE");
   }
   Matrix3d k;
   k << fx, 0, (*read)[model->focal], 0, fy, (*read)[model->focal + 1], 0, 0, 1;
@@ -128,20 +131,23 @@ Result<NamedCamera> camera_of(const Line& line,
   if (!read) return tl::unexpected(read.error());
   if (line.words.size() != 10) {
     return fail(place,
-                "a picture needs ten words: its number, four numbers of the rotation, three of t, "
-                "the camera's number and a name",
+                "a picture needs ten words: its number, four numbers of the rotation, three of the "
+                "translation, the camera's number and a name",
                 "export the model again; names must have no blanks");
   }
   const std::vector<double>& n = *read;
   const Eigen::Quaterniond turn(n[0], n[1], n[2], n[3]);
   constexpr double kFewDigits = 1e-3;
   if (!(std::abs(turn.norm() - 1) <= kFewDigits)) {
-    return fail(place, fmt::format("the length of the quaternion is {:.3g}", turn.norm()),
+    return fail(place,
+                fmt::format("the length of the quaternion is {:.3g}, but a rotation needs length 1",
+                            turn.norm()),
                 "give a quaternion of length 1");
   }
   const auto lens = lenses.find(line.words[8]);
   if (lens == lenses.end()) {
-    return fail(place, "cameras.txt has no camera with this number", "export both files together");
+    return fail(place, "cameras.txt has no camera with the number that this picture names",
+                "export both files together");
   }
   NamedCamera camera{std::string(line.words[9]), {}};
   camera.camera.intrinsic = lens->second;

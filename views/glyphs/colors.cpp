@@ -16,7 +16,7 @@ Eigen::Array3f array_of(const Rgba8& color) {
   return {float(color.r), float(color.g), float(color.b)};
 }
 
-// The distance from each prototype to its nearest other one.
+// For each prototype, the distance to the nearest other prototype.
 const std::array<float, kPrototypes>& reaches() {
   static const auto all = [] {
     std::array<float, kPrototypes> nearest{};
@@ -33,7 +33,7 @@ const std::array<float, kPrototypes>& reaches() {
   return all;
 }
 
-// The value below which this share of the values is (a quantile); reorders the values.
+// A quantile: the value that the fraction `share` of the values is below. Reorders the values.
 float at_share(std::vector<float>& values, double share) {
   const auto place = std::ptrdiff_t(share * double(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + place, values.end());

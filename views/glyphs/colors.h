@@ -1,4 +1,5 @@
-// Finds the prototype of a colour: the nearest one, if it is near enough (S1-28).
+// Finds the prototype of a colour: the nearest of the six colours that glyphs are made of
+// (glyph_code.h), if it is near enough (S1-28).
 #pragma once
 
 #include <Eigen/Core>
@@ -16,17 +17,18 @@ Light light_of(const Rgba8& color);
 
 inline constexpr int kNoPrototype = -1;
 
-// The nearest prototype of a displayed colour (codes, 0 .. 255), if its distance is less than
-// `threshold` times the distance from that prototype to its nearest other one; else kNoPrototype.
-// The slides' threshold is 0.4, "1/T^2 = 6.0". With an infinite threshold, always the nearest one.
+// The index of the prototype that is nearest to a displayed colour (codes, 0 .. 255), if its
+// distance from the colour is less than `threshold` times its distance from the nearest other
+// prototype; else kNoPrototype. The slides' threshold T is 0.4, "1/T^2 = 6.0". With an infinite
+// threshold the result is always the nearest prototype.
 int prototype_of(const Eigen::Array3f& codes, float threshold);
 
 // Converts light to display codes, without rounding.
 Eigen::Array3f codes_of(const Light& light);
 
 // The colour of the paper as light, not codes: the medians of red, green and blue over the
-// brightest pixels. These are the pixels whose darkest channel is at least 0.8 of the value that 95
-// % of the pixels stay below.
+// brightest pixels. These are the pixels whose darkest channel is at least 0.8 of the value that
+// only 5 % of the pixels exceed.
 Light paper_of(const Image<Rgba8>& picture);
 
 }  // namespace glassbox::views

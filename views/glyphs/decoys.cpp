@@ -21,7 +21,7 @@ Light light_of_prototype(int color) {
   return light_of(kPrototypeColors[std::size_t(color)]);
 }
 
-// The three colours that the code does not use.
+// The three prototypes that the code does not use.
 std::array<int, 3> others_of(const GlyphCode& code) {
   std::array<int, 3> others{};
   std::size_t count = 0;
@@ -41,12 +41,12 @@ std::optional<Light> light_at_decoy(const Decoy& decoy, double x, double y) {
   if (radius >= 1) return std::nullopt;
   if (!decoy.breaks) return within(kDiscRadii[0], kDiscRadii[1]);
   switch (*decoy.breaks) {
-    // A brown disc around three small ones.
+    // A brown disc, whose colour is no prototype, around three small discs.
     case GlyphRule::kPrototypes: {
       if (radius >= 0.5) return light_of({120, 100, 84, 255});
       return within(1.0 / 6, 1.0 / 3);
     }
-    // Six wedges in the three other colours, in the outer band.
+    // Six wedges in the outer band, in the three prototypes that the glyph does not use.
     case GlyphRule::kOthers: {
       const double turn = arctan2(y, x) / 6.283185307179586 + 0.5;  // 0 .. 1
       const int wedge = int(6 * turn);
@@ -63,14 +63,14 @@ std::optional<Light> light_at_decoy(const Decoy& decoy, double x, double y) {
       if (hypotenuse(x - 0.3, y) < 2.0 / 3) return light_of_prototype(code[1]);
       return light_of_prototype(code[2]);
     }
-    // The colours of the bands in small squares, spread evenly over the disc: the order by spread
-    // is accidental.
+    // The three colours in small squares, spread evenly over the disc: none of them is clearly
+    // further from the centre than another.
     case GlyphRule::kSpread: {
       const int column = int(std::floor(8 * (x + 1))), row = int(std::floor(8 * (y + 1)));
       const int place = (column * 5 + row * 7 + decoy.identity) % 9;
       return light_of_prototype(code[place < 1 ? 0u : place < 4 ? 1u : 2u]);
     }
-    // The largest area inside, the smallest outside.
+    // The inner band has the largest area, the outer band the smallest.
     case GlyphRule::kRanks:
       return within(std::sqrt(0.5), std::sqrt(0.83));
     case GlyphRule::kWhole:
@@ -99,7 +99,7 @@ DecoyPicture draw_decoys() {
       if (decoy.breaks == GlyphRule::kSize) radius = random.between(3, 3.6);
       decoy.x = (column + 0.5) * kCell + random.between(-4, 4);
       decoy.y = (row + 0.5) * kCell + random.between(-4, 4);
-      // The border cuts off only a hair: half a pixel.
+      // The picture's border cuts off only half a pixel of the disc.
       if (decoy.breaks == GlyphRule::kWhole) {
         decoy.y = row * kCell + kCell / 2.0;
         decoy.x = column % 2 == 0 ? radius - 0.5 : kColumns * kCell - radius + 0.5;

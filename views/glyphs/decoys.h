@@ -1,4 +1,5 @@
-// Decoys: figures that are nearly glyphs. Each breaks one rule and keeps the others (S1-26).
+// Decoys: figures that are nearly glyphs. Each breaks one rule for glyphs and follows all other
+// rules (S1-26).
 #pragma once
 
 #include <array>
@@ -17,7 +18,8 @@ struct Decoy {
 };
 
 // Rows of figures on white paper: first twelve glyphs, then twelve decoys for each rule (for kWhole
-// two, which the border cuts off). Codes from 60 on are not on the sheet (kSheet).
+// only two, which the border cuts off). Identities from 60 on are not on the sheet, so they break
+// kSheet.
 struct DecoyPicture {
   Image<Rgba8> picture;
   std::vector<Decoy> decoys;
@@ -28,7 +30,7 @@ DecoyPicture draw_decoys();
 // How many decoys are taken for glyphs, and how many glyphs are found with the right identity.
 struct DecoyScore {
   int glyphs = 0, found = 0;
-  std::array<int, kGlyphRules> accepted{};  // by the rule that they break
+  std::array<int, kGlyphRules> accepted{};  // decoys taken for glyphs, for each rule
 
   int all_accepted() const;
 };

@@ -18,8 +18,8 @@ namespace {
 
 // ---- what is not paper ----
 
-// The share of a pixel that a glyph covers: every prototype has one channel that is nearly dark, so
-// the light in the darkest channel is that of the paper.
+// The fraction of a pixel that a glyph covers. Every prototype is nearly dark in one channel, so
+// the light in a pixel's darkest channel comes from the paper.
 float cover_of(const Light& light, const Light& paper) {
   static const float kDark = decode_srgb(32);
   const float share = (1 - (light / paper).minCoeff()) / (1 - kDark);
@@ -28,7 +28,7 @@ float cover_of(const Light& light, const Light& paper) {
 }
 
 struct PixelBox {
-  int left, top, right, bottom;  // both ends included
+  int left, top, right, bottom;  // the last column and the last row are included
 };
 
 struct Component {
@@ -38,11 +38,12 @@ struct Component {
 
 constexpr std::int32_t kPaper = -1;
 
-// A pixel belongs to a region if more than this share of it is covered: where three colours meet in
-// a pixel, half of the light comes through.
+// A pixel belongs to a region if more than this fraction of it is covered. It is below 1/2, because
+// a pixel in which three colours meet is not dark in any channel, so it seems to be half paper.
 constexpr float kCovered = 0.35f;
 
-// Regions of pixels that touch at sides or corners, and the region of each pixel.
+// The connected regions of covered pixels (pixels that touch at sides or corners), and for each
+// pixel the number of its region.
 struct Components {
   std::vector<Component> all;
   Image<std::int32_t> labels;
@@ -83,7 +84,7 @@ Components components_of_picture(const Image<Rgba8>& picture, const Light& paper
   return found;
 }
 
-// ---- its ellipse ----
+// ---- the ellipse of a region ----
 
 class Moments2 {
 public:
@@ -102,11 +103,12 @@ private:
   Eigen::Matrix2d second_ = Eigen::Matrix2d::Zero();
 };
 
-// Coordinates are relative to the corner of the region's box, so that their squares are small.
+// The moments are of coordinates relative to the corner of the region's box, so that their squares
+// are small and keep their digits.
 Ellipse ellipse_of(const Moments2& moments, const PixelBox& box) {
   Ellipse ellipse;
   ellipse.centre = moments.mean() + Vector2d(box.left, box.top);
-  // A pixel is a square and not a point, which adds the square's own variance of 1/12.
+  // A pixel is a square and not a point, so the moments contain the square's own variance of 1/12.
   ellipse.moments = moments.covariance() - Eigen::Matrix2d::Identity() / 12;
   ellipse.area = moments.weight();
   // A line of pixels has no width; it gets the width of a pixel.
@@ -144,8 +146,8 @@ public:
     };
     breaks(GlyphRule::kWhole, is_whole);
     breaks(GlyphRule::kSize, region.ellipse.shorter_diameter() >= 0.75 * settings_.least_diameter);
-    // A thin ring has few pixels compared with an ellipse of that size, whose area is 4 pi
-    // sqrt(det); the pixels that it does not cover have no colour of a glyph.
+    // A thin ring has few pixels compared with the filled ellipse of the same moments, whose area
+    // is 4 pi sqrt(det(moments)), and the rest of that ellipse has no prototype's colour.
     const double area = 4 * kPi * std::sqrt(region.ellipse.moments.determinant());
     breaks(GlyphRule::kPrototypes,
            double(component.pixels.size()) >= settings_.least_prototypes * area);
@@ -171,7 +173,7 @@ public:
     breaks(GlyphRule::kSpread, is_spread_);
     breaks(GlyphRule::kRanks, has_ranks_);
     breaks(GlyphRule::kSheet, region.identity >= 0 && is_on_wall[std::size_t(region.identity)]);
-    // Without an identity a region is no glyph, even if the rule is switched off.
+    // Without an identity a region is no glyph, even if the rule kPrototypes is switched off.
     if (!region.broken && region.identity < 0) region.broken = GlyphRule::kPrototypes;
     return region;
   }
@@ -216,8 +218,8 @@ private:
     return paper;
   }
 
-  // The ellipse from all pixels of its inside, and from those of its border with the share that is
-  // covered.
+  // The ellipse computed a second time: pixels well inside the first ellipse have the weight 1, and
+  // pixels near its border the fraction that is covered.
   Ellipse refined(const Ellipse& first, const Light& paper) const {
     constexpr double kInside = 0.75, kReach = 1.45;
     Moments2 moments;
@@ -231,7 +233,7 @@ private:
   }
 
   void classify(GlyphRegion& region, const Light& paper) {
-    // Positions in the glyph's plane, where it is a circle of radius 1.
+    // Maps the picture to the glyph's plane, where the glyph is a circle of radius 1.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(region.ellipse.moments);
     const Eigen::Matrix2d circle_from_pixels = axes.operatorInverseSqrt() / 2;
     std::array<Moments2, kPrototypes> classes;
@@ -319,7 +321,8 @@ double Ellipse::shorter_diameter() const {
   return 4 * std::sqrt(std::max(0.0, axes.eigenvalues()[0]));
 }
 
-// A filled ellipse with the semi-axis a along a direction has the variance a^2/4 there.
+// On the border of a filled ellipse, the distance from the centre in units of the standard
+// deviation (Mahalanobis distance) is 2.
 double Ellipse::radius_of(const Vector2d& pixel) const {
   const Vector2d off = pixel - centre;
   const double a = moments(0, 0), b = moments(0, 1), d = moments(1, 1);

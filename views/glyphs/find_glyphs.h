@@ -1,5 +1,6 @@
-// Finds glyphs in a picture: regions that are not paper, and the rules by which a region is a glyph
-// (S1-25, S1-26).
+// Finds glyphs in a picture: looks for regions that are not paper, and tests each of them by the
+// rules that glyphs follow (S1-25, S1-26). Glyphs are three concentric discs in three of six
+// colours, the prototypes (glyph_code.h).
 #pragma once
 
 #include <array>
@@ -15,17 +16,17 @@
 
 namespace glassbox::views {
 
-// In the order in which the rules are applied.
+// The rules that a region must follow to be a glyph, in the order in which they are applied.
 enum class GlyphRule {
   kWhole,       // the region does not touch the picture's border
   kSize,        // its shorter diameter is long enough
-  kPrototypes,  // enough of its pixels have prototype colours, apart from mixtures along borders
-  kOthers,      // few of those have a fourth colour
-  kAreas,       // the three colours' shares are those of concentric discs
-  kCentroids,   // the three colours have one centre
-  kSpread,      // the wider a band, the further its pixels are spread
-  kRanks,       // the colours have the same order by number of pixels and by spread
-  kSheet,       // the code is on the wall
+  kPrototypes,  // enough of its pixels have its three colours, and not mixtures
+  kOthers,      // few of its pixels have the colour of a prototype other than its three
+  kAreas,       // the three colours fill the fractions of the area that the discs have
+  kCentroids,   // the centres of gravity of the three colours are at one place
+  kSpread,      // the pixels' mean distance from the centre grows clearly from band to band
+  kRanks,       // from the inner to the outer band, the number of pixels grows
+  kSheet,       // the glyph with this code is on the wall
 };
 inline constexpr int kGlyphRules = 9;
 std::string_view name_of(GlyphRule rule);
@@ -33,30 +34,34 @@ std::string_view name_of(GlyphRule rule);
 struct FindSettings {
   float threshold = 0.4f;     // for colours (prototype_of)
   double least_diameter = 8;  // px
-  // Share of the region's pixels. In a glyph of 20 px about half of the pixels are not mixtures.
+  // The least fraction of a region's pixels that must have one of its three colours (kPrototypes).
+  // In a glyph of 20 px these are about half of the pixels; the others are mixtures along borders.
   double least_prototypes = 0.3;
-  // Share of the pixels with prototype colours. The slides have 5 %; it is 15 % here, as if they
-  // had lost a digit.
+  // The largest fraction of pixels of other prototypes than its three, among the pixels of a region
+  // that have a prototype's colour (kOthers). The slides say 5 %; here it is 15 %, because the 5 is
+  // taken for a misprint of 15.
   double most_others = 0.15;
-  // Shares of the third, second and first colour by area. Discs have 0.13, 0.31 and 0.56; they lose
-  // pixels along their borders, small discs more.
+  // The least and the largest fraction of a glyph's area for each of its three colours, beginning
+  // with the colour that has the least area (kAreas). Exact discs have 0.13, 0.31 and 0.56; they
+  // lose pixels along their borders to mixtures, and small discs lose a larger fraction.
   std::array<double, 3> least_shares{0.02, 0.15, 0.4}, most_shares{0.26, 0.5, 0.83};
-  double max_centroid_distance = 0.08;  // share of the diameter; half a pixel is added
-  // Least ratio of a band's standard deviation to that of the next band inside; discs have 2.1 and
-  // 1.6.
+  double max_centroid_distance = 0.08;  // fraction of the diameter; 0.5 px is added
+  // The least ratio of the standard deviation of a band's pixels from their centre to that of the
+  // next band inside (kSpread); for exact discs it is 2.1 and 1.6.
   double spread_ratio = 1.12;
-  // Least ratio of a band's pixels to those of the next band inside: at this ratio a band still
-  // counts as equal or larger.
+  // The least ratio of the number of a band's pixels to that of the next band inside (kRanks). It
+  // is below 1, so that a band may also have slightly fewer pixels.
   double rank_ratio = 0.8;
-  // Colours are relative to the paper around each glyph; else they are used as they are.
+  // Colours are divided by that of the paper around each glyph; if false, they are used as they
+  // are.
   bool balances = true;
   std::array<bool, kGlyphRules> enabled_rules{true, true, true, true, true, true, true, true, true};
 
   bool is_enabled(GlyphRule rule) const { return enabled_rules[std::size_t(rule)]; }
 };
 
-// Position and shape of a region, from the moments of the pixels that are not paper: the filled
-// ellipse with the same moments.
+// Position and shape of a region: those of the filled ellipse that has the same moments as the
+// pixels that are not paper.
 struct Ellipse {
   Vector2d centre = Vector2d::Zero();  // px; the centre of the top left pixel is (1/2, 1/2)
   Eigen::Matrix2d moments = Eigen::Matrix2d::Identity();
@@ -74,8 +79,8 @@ struct GlyphRegion {
   std::optional<GlyphRule> broken;  // the first rule that it breaks; none: it is a glyph
   int identity = -1;                // from its colours, even if a rule is broken; -1: unknown
   GlyphCode code{-1, -1, -1};
-  double classified = 0, others = 0;  // shares (kPrototypes, kOthers)
-  std::array<double, 3> shares{};     // of the three colours, ascending
+  double classified = 0, others = 0;  // fractions of pixels (kPrototypes, kOthers)
+  std::array<double, 3> shares{};     // of the area, for the three colours, ascending
   double centroid_distance = 0;       // px (kCentroids)
 };
 
@@ -84,7 +89,7 @@ struct FoundGlyphs {
   int glyphs() const;
 };
 
-// `is_on_wall` has kGlyphs entries.
+// `is_on_wall` says for each of the kGlyphs identities whether the glyph is on the wall.
 FoundGlyphs find_glyphs(const Image<Rgba8>& picture, const FindSettings& settings,
                         const std::array<bool, kGlyphs>& is_on_wall);
 

@@ -37,7 +37,7 @@ std::vector<VisibleGlyph> visible_glyphs(const Wall& wall, const PinholeCamera& 
     if (!is_whole) continue;
     for (std::size_t i = 0; i < kPoints / 2; ++i)
       shortest = std::min(shortest, (border[i] - border[i + kPoints / 2]).norm());
-    // A polygon with sixteen corners has a smaller area than the ellipse around it.
+    // The area of an ellipse, divided by that of the polygon with sixteen corners on its border.
     const double missing = 2 * kPi / kPoints / sin_cos_degrees(360.0 / kPoints).sin;
     const double diameter = 2 * std::sqrt(missing * std::abs(area) / kPi);
     if (!covered.pixels.empty()) {

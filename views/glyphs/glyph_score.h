@@ -1,4 +1,4 @@
-// Compares the glyphs that were found with those that are visible.
+// Compares the glyphs that were found with the glyphs that are visible.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,9 @@ std::vector<VisibleGlyph> visible_glyphs(const Wall& wall, const PinholeCamera& 
 
 struct GlyphScore {
   int visible = 0, right = 0;
-  int wrong = 0;  // found as a glyph that is not there
-  // Right, but of glyphs that are not wholly visible: they do not count for the recall.
+  int wrong = 0;  // regions taken for a glyph that is not there
+  // Regions with the right identity whose glyph is not wholly visible, so it does not count for the
+  // recall.
   int partly = 0;
   double precision() const {
     return right + partly + wrong > 0 ? 1 - double(wrong) / (right + partly + wrong) : 1;
@@ -35,8 +36,8 @@ struct GlyphScore {
   double recall() const { return visible > 0 ? double(right) / visible : 1; }
 };
 
-// A region is right if its glyph's true centre is within half a diameter of the region's own
-// centre.
+// A region is right if the glyph of its identity is there: the glyph's true centre is within half a
+// diameter of the region's centre.
 GlyphScore glyph_score(const FoundGlyphs& found, const Wall& wall, const PinholeCamera& camera,
                        const std::vector<VisibleGlyph>& visible);
 

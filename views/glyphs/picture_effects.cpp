@@ -21,8 +21,8 @@ namespace {
 
 using Lights = std::vector<Eigen::Vector3f>;
 
-// A blur along rows or columns: each sample becomes the weighted mean of those around it; the
-// border is repeated.
+// A blur along rows or columns: each pixel becomes the weighted mean of the pixels around it;
+// outside of the picture its border is repeated.
 Lights blurred_along(const Lights& lights, int width, int height, bool is_along_rows,
                      const std::vector<float>& weights) {
   const int reach = int(weights.size()) - 1, most = (is_along_rows ? width : height) - 1;

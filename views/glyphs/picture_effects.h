@@ -1,5 +1,5 @@
-// Effects of a photograph on a picture: blur, another white, JPEG compression, and objects in front
-// of the wall (S1-26 to S1-28).
+// Changes pictures as photography does: blur, light of another colour, JPEG compression, and
+// objects in front of the wall (S1-26 to S1-28).
 #pragma once
 
 #include <array>
@@ -17,12 +17,13 @@ Image<Rgba8> with_gains(const Image<Rgba8>& picture, const std::array<double, 3>
 
 // The picture after JPEG compression (ITU-T T.81, JFIF) at a quality of 1 .. 100 as in the IJG's
 // library: colours become Y, Cb and Cr, the latter two are averaged over 2 x 2 pixels, and the
-// cosine transform's coefficients of blocks of 8 x 8 are rounded to multiples of Annex K's tables.
-// The later steps of JPEG lose nothing and are left out.
+// cosine transform's coefficients of blocks of 8 x 8 are rounded to multiples of the numbers in
+// Annex K's tables, which the quality scales. The later steps of JPEG lose nothing and are left
+// out.
 Image<Rgba8> apply_jpeg(const Image<Rgba8>& picture, int quality);
 
-// Dark bars at random places, each 1/16 of the picture's height wide, until they cover this share
-// of the pixels.
+// Dark bars at random places, each 1/16 of the picture's height wide, until they cover the fraction
+// `share` of the pixels.
 struct OccludedPicture {
   Image<Rgba8> picture;
   Image<std::uint8_t> covered;  // 255 where a bar is

@@ -72,8 +72,8 @@ void decompose_projection(const Matrix3d& matrix, Matrix3d& intrinsic, Matrix3d&
 
 // ---- least squares ----
 
-// A camera near another one: the parameters are a rotation, a translation, and the unknown numbers
-// of the lens.
+// Changes a camera by the parameters `by`: a rotation, a translation, and changes of the unknown
+// numbers of the lens.
 PinholeCamera moved(const PinholeCamera& from, const Eigen::VectorXd& by, KnownIntrinsics known) {
   PinholeCamera camera = from;
   camera.camera_from_world = turned_by(by.head<3>()) * from.camera_from_world;
@@ -114,7 +114,7 @@ double distance_of(const PinholeCamera& camera, const PointCorrespondence& point
 
 // ---- random samples ----
 
-// Replaces entries of K that were estimated from six points by the known ones.
+// Replaces entries of K that were estimated from six points by their known values.
 PinholeCamera with_known(PinholeCamera camera, const PoseRequest& request) {
   const double focal = std::sqrt(std::abs(camera.intrinsic(0, 0) * camera.intrinsic(1, 1)));
   if (request.known == KnownIntrinsics::kAll) return camera;
@@ -216,8 +216,8 @@ private:
   std::optional<PinholeCamera> best_;
 };
 
-// The smallest singular value of the points about their mean, divided by the largest: 0 for points
-// in a plane.
+// How flat the points are: the smallest singular value of their differences from the mean, divided
+// by the largest. It is 0 for points in a plane.
 double flatness(const std::vector<PointCorrespondence>& points) {
   Eigen::MatrixXd rows(Eigen::Index(points.size()), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -239,9 +239,9 @@ Vector2d project_centre(const PinholeCamera& camera, const PointCorrespondence& 
   return centre.head<2>() / centre.z();
 }
 
-// Two steps of Newton's method in the distances to three points, with the laws of cosines as
-// equations. A root that has lost digits (a double root has lost half of them) then gives distances
-// whose mutual error is the square of the root's error.
+// Improves the distances to three points by two steps of Newton's method, with the laws of cosines
+// as equations. A root of the quartic may have lost digits (a double root loses half of them). The
+// distances still fulfil the equations, except for an error of the square of the root's error.
 static Vector3d agreed(Vector3d distances, const Vector3d& cosines, const Vector3d& squares) {
   for (int step = 0; step < 2; ++step) {
     Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(3, 3);
@@ -302,9 +302,10 @@ std::vector<PinholeCamera> cameras_from_three_points(
     const double above = (-1 + minus) * v * v - 2 * minus * cb * v + 1 + minus;
     const double below = 2 * (cg - v * ca);
     // If the three points are seen mirror-symmetric to a plane through the second one, numerator
-    // and denominator of u are both 0: the two laws coincide, and u is either root of one of them.
-    // This v is a double root of the quartic, so it appears twice, with half of its digits.
-    constexpr double kHalfOfDigits = 0x1p-20;  // 2^-26, and room for the condition of the roots
+    // and denominator of u are both 0: the two laws of cosines are the same equation, and u is
+    // either of its roots. Such a v is a double root of the quartic, so it appears twice, and only
+    // half of its digits are right.
+    constexpr double kHalfOfDigits = 0x1p-20;  // 2^-26, with a margin for badly conditioned roots
     if (std::abs(below) < kHalfOfDigits && std::abs(above) < kHalfOfDigits * (1 + v * v)) {
       const double square = cg * cg - 1 + cc / (s1 * s1);
       const bool is_second = std::ranges::any_of(
@@ -341,7 +342,8 @@ Result<PinholeCamera> camera_by_dlt(const std::vector<PointCorrespondence>& poin
     rows.row(Eigen::Index(2 * i + 1)) << Eigen::RowVector4d::Zero(), at, -pixel.y() * at;
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
-  // Points in one plane leave three more degrees of freedom than the scale.
+  // The solution is determined up to a scale. Points in one plane leave three more degrees of
+  // freedom, and then the last singular value but one is 0, too.
   if (!(svd.singularValues()[10] > 1e-10 * svd.singularValues()[0]))
     return fail("the points", "they are in one plane, which does not determine the lens",
                 "give points of two planes, or give the lens");
@@ -350,12 +352,14 @@ Result<PinholeCamera> camera_by_dlt(const std::vector<PointCorrespondence>& poin
   Eigen::Matrix<double, 3, 4> projection = from_pixels.inverse() * there * from_world;
   if (projection.leftCols<3>().determinant() < 0) projection = -projection;
   if (!(projection.leftCols<3>().determinant() > 0))
-    return fail("the points", "no camera sees them in this way", "give points in general position");
+    return fail("the points", "no camera sees the points at these places of the picture",
+                "give more points, which are not all in one plane or on one line");
   PinholeCamera camera;
   decompose_projection(projection.leftCols<3>(), camera.intrinsic, camera.camera_from_world);
   camera.centre = -projection.leftCols<3>().inverse() * projection.col(3);
   if (!camera.intrinsic.allFinite() || !camera.centre.allFinite())
-    return fail("the points", "no camera sees them in this way", "give points in general position");
+    return fail("the points", "no camera sees the points at these places of the picture",
+                "give more points, which are not all in one plane or on one line");
   return camera;
 }
 
@@ -379,7 +383,8 @@ Result<FoundPose> find_pose(const std::vector<PointCorrespondence>& points,
                 fmt::format("{} glyphs are seen, but {} are needed", points.size(), least),
                 "take a picture that shows more glyphs");
   }
-  // Without this limit, noise of a thousandth of the wall's size would be taken for its depth.
+  // The least flatness of points that are not taken to be in one plane. Without this limit, noise
+  // of a thousandth of the wall's size would be taken for its depth.
   constexpr double kFlat = 0.02;
   if (request.known != KnownIntrinsics::kAll && flatness(points) < kFlat) {
     return fail("the camera",

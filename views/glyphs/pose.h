@@ -1,5 +1,6 @@
-// The camera from the glyphs of a picture: from three or six points each, with random samples to
-// exclude wrong points, and finally by least squares over all inliers (S1-25).
+// Finds the camera from the glyphs in a picture (S1-25). Random samples of three or six points each
+// give a camera; the camera that fits best shows which points are wrong, and is improved by least
+// squares over all other points (the inliers).
 #pragma once
 
 #include <optional>
@@ -14,8 +15,9 @@
 
 namespace glassbox::views {
 
-// A point of the world and its pixel. For a glyph, it is the disc around that point, whose image
-// does not have its centre at the image of the point.
+// A point of the world and its pixel. For a glyph, the point is the centre of a disc, and the pixel
+// is the centre of the ellipse that is the disc's image, which is not exactly the image of the
+// disc's centre.
 struct PointCorrespondence {
   Vector3d world;
   Vector2d pixel;
@@ -23,9 +25,10 @@ struct PointCorrespondence {
            down = Vector3d::Zero();  // two perpendicular radii of the disc; zero: a point
 };
 
-// The centre of the disc's image, which is an ellipse. With H = K R (r | d | c - C), it is the
-// polar line of the horizon with respect to the conic that is the image of the unit circle, H
-// diag(1, 1, -1) H^T. For a point it is the point's pixel.
+// The centre of the ellipse that is the disc's image; for a point, its pixel. H = K R (r | d | c -
+// C) maps the unit circle to the ellipse, where r and d are the disc's two radii, c is its centre,
+// and C the camera's centre. The lines that touch the ellipse are described by the matrix H diag(1,
+// 1, -1) H^T (the dual conic), and its product with the line at infinity, (0, 0, 1), is the centre.
 Vector2d project_centre(const PinholeCamera& camera, const PointCorrespondence& point);
 
 // The cameras with this K that see three points at these pixels: up to four (Grunert 1841, as in
@@ -48,7 +51,7 @@ struct PoseRequest {
   KnownIntrinsics known = KnownIntrinsics::kCentre;
   Matrix3d intrinsic = Matrix3d::Identity();  // used by kAll
   int width = 0, height = 0;                  // of the picture, px: used by kCentre
-  double threshold = 2;                       // px: a point that is further off is an outlier
+  double threshold = 2;                       // px: a point further from its pixel is an outlier
 };
 
 struct FoundPose {
@@ -60,11 +63,12 @@ struct FoundPose {
 
 // Random samples with a fixed seed, then least squares over the inliers. Refused: fewer points than
 // determine the camera (four for a known lens; six for an unknown one, not all in one plane), and a
-// best camera that agrees with fewer points than that, or with less than half of all points.
+// best camera that agrees with fewer points than these, or with less than half of all points.
 Result<FoundPose> find_pose(const std::vector<PointCorrespondence>& points,
                             const PoseRequest& request);
 
-// The found glyphs as points of the wall; `regions` has the region of each.
+// The found glyphs as points of the wall; `regions` has for each point the index of its region in
+// `found`.
 struct GlyphPoints {
   std::vector<PointCorrespondence> points;
   std::vector<std::size_t> regions;

@@ -55,7 +55,8 @@ Lights through_lens(const Image<Rgba8>& picture, const Sensor& sensor) {
   return lights;
 }
 
-// A number that is normally distributed except in its tails: the sum of twelve uniform ones.
+// A random number with the mean 0 and the variance 1 that is normally distributed except in its
+// tails: the sum of twelve uniform numbers in [0, 1), minus 6.
 double normal(Random& random) {
   double sum = -6;
   for (int i = 0; i < 12; ++i) sum += random.unit();
@@ -76,7 +77,8 @@ int filter_at(int x, int y) {
   return (x & 1) + (y & 1);
 }
 
-// Keeps only the channel that a pixel's filter lets through, and interpolates the others.
+// Keeps only the channel that a pixel's filter lets through, and interpolates the other channels
+// from its neighbours.
 Lights without_mosaic(const Lights& lights) {
   Lights whole = lights;
   for (int y = 0; y < lights.height; ++y) {

@@ -9,11 +9,12 @@
 namespace glassbox::views {
 
 struct Sensor {
-  // Lens distortion: the image at the distance r from the middle, in halves of the picture's
-  // height, is the undistorted one at r (1 + distortion r^2). Above 0 it is a barrel distortion.
+  // Lens distortion: a pixel at the distance r from the picture's middle, in halves of its height,
+  // shows what would be at r (1 + distortion r^2) without distortion. Above 0 it is a barrel
+  // distortion.
   double distortion = 0;
-  // The share of the light that is lost at the corners; the loss grows with the square of the
-  // distance.
+  // The fraction of the light that is lost at the corners; the loss grows with the square of the
+  // distance from the picture's middle.
   double falloff = 0;
   // Each pixel measures one colour: rows alternate between red and green, and green and blue
   // (Bayer). The missing colours are the means of the neighbours that measure them.
@@ -23,7 +24,7 @@ struct Sensor {
   double electrons = 0;
 };
 
-// Applies the effects in this order, and converts to 8 bits of sRGB.
+// Applies the effects of the lens, then the noise, then the mosaic, and converts to 8 bits of sRGB.
 Image<Rgba8> apply_sensor(const Image<Rgba8>& picture, const Sensor& sensor, std::uint64_t seed);
 
 }  // namespace glassbox::views

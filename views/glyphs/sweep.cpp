@@ -50,7 +50,8 @@ RenderSettings unlit_on_grey() {
   return settings;
 }
 
-// Each sensor changes one thing; one combines two.
+// Each sensor has one effect (distortion, darker corners, a mosaic or noise), except one that has
+// two.
 std::vector<std::pair<std::string, Sensor>> sensors() {
   std::vector<std::pair<std::string, Sensor>> all{{"as it is", {}}};
   for (const double lost : {0.3, 0.6})
@@ -174,7 +175,8 @@ std::vector<SweepRow> sweep_glyphs(SweepVariable what, const FindSettings& setti
   const Wall corner = wall_of_panels(2);
   WallPhotographer photographer(what == SweepVariable::kTilt ? wall_of_panels(1) : corner);
   if (what == SweepVariable::kSize) {
-    // Glyphs have at most this diameter; those from 0.8 of it on are counted.
+    // The glyphs in a picture have at most the diameter `size`; those of less than 0.8 of it are
+    // not counted.
     for (const int size : {10, 12, 15, 20, 25, 30, 40}) {
       const int width = size * 24 / 4 * 4;
       add(fmt::format("{} px", size), corner,

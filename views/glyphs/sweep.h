@@ -1,5 +1,5 @@
-// How well glyphs are found as pictures get worse: for each sweep one thing is varied in levels,
-// with several pictures of a wall for each level (S1-26, S1-28).
+// Measures how well glyphs are found as pictures get worse: each sweep varies one property of the
+// pictures in levels, with several pictures of a wall for each level (S1-26, S1-28).
 #pragma once
 
 #include <functional>
@@ -36,9 +36,9 @@ struct SweepRow {
   double degrees = 0, millimetres = 0;
 };
 
-// Two pictures for each level, from a distance of 2 m. The tilt sweep uses a plane wall, the others
-// the default wall. Glyphs are about 40 px large, except in the size sweep. The rules sweep uses
-// the decoys (decoys.h), with a row for each rule that is switched off.
+// Two pictures for each level, from a distance of 2 m. The tilt sweep uses a plane wall, the other
+// sweeps use the default wall, a corner. Glyphs are about 40 px large, except in the size sweep.
+// The rules sweep uses the decoys (decoys.h), with a row for each rule that is switched off.
 std::vector<SweepRow> sweep_glyphs(SweepVariable what, const FindSettings& settings,
                                    const std::function<void(const std::string&)>& report_progress);
 
@@ -47,7 +47,8 @@ std::vector<SweepRow> sweep_glyphs(SweepVariable what, const FindSettings& setti
 PinholeCamera camera_in_front(double distance, double azimuth_degrees, double elevation_degrees,
                               int width, int height);
 
-// Photographs of a wall, which is textured only once: unlit, four samples a pixel, on grey.
+// Takes photographs of a wall: unlit, with four samples per pixel, on a grey background. The wall's
+// textures are made only once.
 class WallPhotographer {
 public:
   explicit WallPhotographer(const Wall& wall);

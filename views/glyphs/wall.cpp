@@ -44,7 +44,8 @@ Eigen::Vector3f light_at(const Wall& wall, int panel, double x, double y) {
   return paper;
 }
 
-// Whether no border of a disc is within `reach` of a point. Cells are separated by paper.
+// Whether no border of a disc is within `reach` of a point. Only the disc of the point's own cell
+// is tested, because there is paper between the discs of different cells.
 bool is_plain(const Wall& wall, double x, double y, double reach) {
   const double pitch = wall.layout.pitch;
   const double radius = hypotenuse(x - (std::floor(x / pitch) + 0.5) * pitch,
@@ -115,9 +116,10 @@ Result<void> check_panel_picture(const Wall& wall, double pixels_per_metre) {
   const double width = panel.width * pixels_per_metre, height = panel.height * pixels_per_metre;
   constexpr double kMostSide = 16384;
   if (!(width >= 1 && height >= 1))
-    return fail("--dpi", "a panel would have no pixel", "ask for more pixels");
+    return fail("--dpi", "the picture of a panel would have no pixel", "ask for more pixels");
   if (width <= kMostSide && height <= kMostSide && width * height <= kMostSheetPixels) return {};
-  return fail("--dpi", fmt::format("a panel would have {:.0f} x {:.0f} px", width, height),
+  return fail("--dpi",
+              fmt::format("the picture of a panel would have {:.0f} x {:.0f} px", width, height),
               "ask for fewer pixels per inch, or smaller glyphs (--pitch, --diameter)");
 }
 

@@ -18,15 +18,15 @@ struct WallLayout {
   // z = 0.
   int panels = 2;
   int columns = 6, rows = 10;  // of each panel
-  // The identity of the first glyph; the others follow by rows from the top left, panel after
-  // panel.
+  // The identity of the first glyph; the following identities are arranged by rows from the top
+  // left, panel after panel.
   int first = 0;
   double pitch = 0.12;     // metres from one glyph's centre to the next
   double diameter = 0.09;  // metres
 };
 
-// A rectangle: its top left corner, and the unit directions to the right and down. It is seen from
-// its front; right x down points to its back.
+// A rectangle: its top left corner, and the unit directions to the right and down. Its front is
+// visible; the cross product of `right` and `down` points to its back.
 struct WallPanel {
   Vector3d corner, right, down;
   double width = 0, height = 0;  // metres
@@ -43,12 +43,12 @@ struct Wall {
   std::vector<WallGlyph> glyphs;
 
   double radius() const { return layout.diameter / 2; }
-  const WallGlyph* find(int identity) const;     // nullptr where it is not on the wall
+  const WallGlyph* find(int identity) const;     // nullptr if it is not on the wall
   std::array<bool, kGlyphs> identities() const;  // which of all glyphs are on the wall
 };
 
-// Refused: more glyphs than there are codes, glyphs without an eighth of the pitch of paper between
-// them, numbers that are not finite or out of range.
+// Refused: more glyphs than there are codes, glyphs with less paper between them than an eighth of
+// the pitch, numbers that are not finite or out of range.
 Result<Wall> make_wall(const WallLayout& layout);
 
 // Refused: pictures without a pixel, with a side longer than 16384 px, or with more than
@@ -56,7 +56,8 @@ Result<Wall> make_wall(const WallLayout& layout);
 inline constexpr double kMostSheetPixels = 1 << 26;
 Result<void> check_panel_picture(const Wall& wall, double pixels_per_metre);
 
-// A panel on white paper, as it is printed: each pixel is the mean light of 4 x 4 points of it.
+// The picture of a panel on white paper, to be printed: each pixel is the mean of the light at 4 x
+// 4 points in it.
 Image<Rgba8> draw_panel(const Wall& wall, int panel, double pixels_per_metre);
 
 // The wall as a scene: an unlit rectangle for each panel, with its picture as a texture.

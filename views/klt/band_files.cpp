@@ -37,7 +37,7 @@ Result<std::string> cube_of(const std::string& header_path) {
     if (fs::is_regular_file(stem + extension, error)) return stem + extension;
   }
   return fail("", "the file with its samples is not beside it",
-              "put " + fs::path(stem).filename().string() + ".img there");
+              "put " + fs::path(stem).filename().string() + ".img beside the header");
 }
 
 // An opened file, and the size and number of bands from its header.
@@ -65,8 +65,8 @@ Result<OpenedFile> open_cube(const std::string& path) {
       {path, {}, *header, *numbers}, int(header->width), int(header->height), int(header->bands)};
 }
 
-// A picture within the limit is smaller than its bands are as doubles, except for text that the
-// file has beside the pixels (kMostText).
+// The limit for the size of the file: a picture file is smaller than its bands are as doubles,
+// except for text that the file may have beside the pixels (kMostText).
 Result<OpenedFile> open_picture(const std::string& path, std::uint64_t most_bytes) {
   constexpr std::uint64_t kMostText = 1 << 20;
   auto bytes = read_file(path, most_bytes + kMostText);
@@ -116,7 +116,9 @@ Result<void> check_planes(std::uint64_t width, std::uint64_t height, std::uint64
   const std::uint64_t bytes = width * height * planes * sizeof(double);
   if (bytes <= most_bytes) return {};
   constexpr double kMegabyte = 1 << 20;
-  return fail("", fmt::format("{} would take {:.3g} MB", what, double(bytes) / kMegabyte),
+  return fail("",
+              fmt::format("{} would take {:.3g} MB of memory, more than is allowed", what,
+                          double(bytes) / kMegabyte),
               fmt::format("allow more memory with --max-mb {}", (bytes >> 20) + 1));
 }
 
@@ -131,15 +133,16 @@ Result<BandFiles> open_bands(const std::vector<std::string>& paths, std::uint64_
     } else if (one->width != all.width || one->height != all.height) {
       return in_file(path, {{},
                             {},
-                            fmt::format("is {} x {}, but {} is {} x {}", one->width, one->height,
-                                        paths.front(), all.width, all.height),
-                            "give bands of one size"});
+                            fmt::format("is {} x {} pixels, but {} is {} x {}", one->width,
+                                        one->height, paths.front(), all.width, all.height),
+                            "give pictures of one size"});
     }
     all.count += one->bands;
     if (all.count > int(kMostBands)) {
-      return in_file(
-          path,
-          {{}, {}, fmt::format("there are more than {} bands", kMostBands), "choose fewer bands"});
+      return in_file(path, {{},
+                            {},
+                            fmt::format("there are more than {} bands", kMostBands),
+                            "give fewer pictures, or a file with fewer bands"});
     }
     const auto fits = check_planes(std::uint64_t(all.width), std::uint64_t(all.height),
                                    std::uint64_t(all.count), most_bytes, "the bands");

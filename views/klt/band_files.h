@@ -1,4 +1,4 @@
-// Reads bands from files, and writes them.
+// Reads bands (pictures with one number for each pixel) from files, and writes them.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,14 @@
 
 namespace glassbox::views {
 
-// Files whose bands all have one size, which their headers state; the pixels are not decoded yet.
+// Files whose bands all have the same size, which their headers state; the pixels are not decoded
+// yet.
 struct BandFiles {
   int width = 0, height = 0, count = 0;
   struct File {
     std::string path;
     std::vector<std::byte> bytes;    // for a picture
-    std::optional<CubeHeader> cube;  // for a raw cube, whose numbers are in `numbers`
+    std::optional<CubeHeader> cube;  // for a raw cube, whose numbers are in the file `numbers`
     std::string numbers;
   };
   std::vector<File> files;
@@ -38,8 +39,8 @@ Result<Bands> decode_bands(const BandFiles& files);
 // Opens the files and decodes the bands.
 Result<Bands> read_bands(const std::vector<std::string>& paths, std::uint64_t most_bytes);
 
-// Refused: more than `most_bytes` for this many planes of doubles. `what` names the planes in the
-// message: "the bands".
+// An error if this many planes of doubles need more than `most_bytes`. `what` names the planes in
+// the message: "the bands".
 Result<void> check_planes(std::uint64_t width, std::uint64_t height, std::uint64_t planes,
                           std::uint64_t most_bytes, const std::string& what);
 

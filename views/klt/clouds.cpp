@@ -34,7 +34,8 @@ double value_noise(std::uint64_t seed, const Direction& p) {
   return mix(mix(row(0, 0), row(1, 0), t), mix(row(0, 1), row(1, 1), t), r);
 }
 
-// The sum of octaves of the noise, each of half the size and half the weight; 0 .. 1.
+// The sum of several noises (octaves): each has details of half the size and half the weight of
+// those of the noise before. The result is in 0 .. 1.
 double fractal(std::uint64_t seed, const Direction& p, double frequency, int octaves) {
   double sum = 0, weight = 0.5, all = 0;
   for (int i = 0; i < octaves; ++i, frequency *= 2, weight /= 2) {
@@ -81,7 +82,7 @@ std::array<double, kCloudBands> measured(const Sky& sky) {
 
 struct Channel {
   const char* name;
-  double low, high, noise;  // values for the counts 0 and 1023; noise in counts
+  double low, high, noise;  // measured values for the counts 0 and 1023; noise in counts
 };
 constexpr std::array<Channel, kCloudBands> kChannels{{{"visible 0.65 um", 0, 100, 1},
                                                       {"infrared 3.9 um", 180, 320, 3},
@@ -115,8 +116,8 @@ CloudScene make_clouds(int width) {
   for (int y = 0; y < height; ++y) {
     const SinCos polar = sin_cos_degrees(180 * (y + 0.5) / height);
     for (int x = 0; x < width; ++x) {
-      // The same layout as the texture of the built-in sphere: from -z over -x, down from the north
-      // pole.
+      // The same layout as that of the built-in sphere's texture: the left column is at -z, columns
+      // to the right turn towards -x, and the top row is at the north pole, +y.
       const SinCos& turn = turns[std::size_t(x)];
       const Direction p{polar.sin * -turn.sin, polar.cos, polar.sin * -turn.cos};
       const Sky sky = sky_at(p);

@@ -9,7 +9,7 @@
 namespace glassbox::views {
 
 struct CloudScene {
-  Bands bands;                  // counts of ten bits, 0 .. 1023, like the satellite's
+  Bands bands;                  // numbers of ten bits (counts), 0 .. 1023, like the satellite's
   Image<Rgba8> ground;          // land and sea, as they look without clouds
   std::vector<double> opacity;  // of the clouds, 0 .. 1: a component of the bands should show it
 };

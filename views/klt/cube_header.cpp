@@ -69,7 +69,7 @@ Result<std::uint64_t> number_in(const Fields& fields, const std::string& name, s
     return fail("'" + name + "'",
                 fmt::format("must be a whole number from {} to {}, but is {}", least, most,
                             in_quotes(text)),
-                "write the value that the cube has");
+                "write the value that is true of the data file");
   }
   return value;
 }
@@ -183,7 +183,8 @@ Result<CubeHeader> parse_cube_header(std::string_view text) {
   if (const auto found = fields->find("interleave"); found != fields->end()) {
     const auto interleave = interleave_of(lower(found->second));
     if (!interleave)
-      return fail("'interleave'", "is " + in_quotes(found->second), "write bsq, bil or bip");
+      return fail("'interleave'", "is " + in_quotes(found->second) + ", which is not known",
+                  "write bsq, bil or bip");
     header.interleave = *interleave;
   }
   if (const auto found = fields->find("band names"); found != fields->end()) {

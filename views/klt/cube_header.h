@@ -43,20 +43,21 @@ struct CubeHeader {
 
 inline constexpr std::uint64_t kMostBands = 512;
 
-// Refused: no "ENVI" at its beginning; samples, lines, bands or data type that are missing, not
-// numbers or beyond 16384 px and kMostBands; complex numbers; an unknown interleave; a number of
-// names other than the number of bands.
+// Refused: no "ENVI" at the beginning of the text; samples, lines, bands or data type that are
+// missing, not numbers or beyond 16384 px and kMostBands; complex numbers; an unknown interleave; a
+// number of names other than the number of bands.
 Result<CubeHeader> parse_cube_header(std::string_view text);
 
-// Doubles, band by band, little-endian.
+// The header and the numbers of a cube of these bands: doubles, band by band, little-endian.
 std::string cube_header_text(const Bands& bands);
 std::vector<std::byte> cube_bytes(const Bands& bands);
 
-// How many bytes may follow the numbers.
+// How many bytes may follow the numbers in the file.
 inline constexpr std::uint64_t kMostTrailingBytes = 1 << 20;
 // Refused: fewer bytes than the header demands, or more than kMostTrailingBytes bytes too many.
 Result<void> check_cube_size(const CubeHeader& header, std::uint64_t bytes);
-// Refuses the same. Bands without a name are named "band 1", "band 2" ...
+// Decodes the numbers, and refuses what check_cube_size refuses. Bands without a name are named
+// "band 1", "band 2" ...
 Result<Bands> decode_cube(const CubeHeader& header, std::span<const std::byte> bytes);
 
 }  // namespace glassbox::views

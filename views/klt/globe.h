@@ -8,9 +8,10 @@
 
 namespace glassbox::views {
 
-// White pixels, with an alpha of 0 where the component is at most its median and 255 where it is at
-// least its 99th percentile. The sign of a component is arbitrary; clouds are taken to be the side
-// with the longer tail, because they are rarer than clear sky.
+// A picture of clouds: white pixels whose alpha grows from 0 at the component's median to 255 at
+// its 99th percentile (or at its 1st percentile, if that is further from the median). The sign of a
+// component is arbitrary; clouds are taken to be the side with the longer tail, because they are
+// rarer than clear sky.
 Image<Rgba8> cloud_alpha(const Bands& component);
 
 // A ball of radius 1 with the ground as its texture and a shell of radius 1.015 with the clouds,

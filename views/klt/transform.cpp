@@ -43,16 +43,18 @@ Result<void> check_bands(const Bands& bands) {
   for (const Band& band : bands.bands) {
     if (band.samples.size() != bands.pixels()) {
       return fail(band.name,
-                  fmt::format("has {} samples, but {} x {} are needed", band.samples.size(),
-                              bands.width, bands.height),
+                  fmt::format("has {} samples, but the pictures have {} x {} pixels",
+                              band.samples.size(), bands.width, bands.height),
                   "give bands of one size");
     }
     for (std::size_t i = 0; i < band.samples.size(); ++i) {
       if (std::abs(band.samples[i]) <= most) continue;
       return fail(band.name,
-                  fmt::format("the sample of column {}, row {} is {}", i % std::size_t(bands.width),
-                              i / std::size_t(bands.width), band.samples[i]),
-                  "give samples that are finite and not too large");
+                  fmt::format("the sample in column {}, row {} is {}, but samples must be finite "
+                              "and at most {:.3g}",
+                              i % std::size_t(bands.width), i / std::size_t(bands.width),
+                              band.samples[i], most),
+                  "correct the sample, or scale the band to smaller numbers");
     }
   }
   return {};
@@ -78,8 +80,8 @@ Moments moments_of(const Bands& bands) {
   Moments moments{Eigen::VectorXd(count), Eigen::MatrixXd(count, count)};
   for (int b = 0; b < count; ++b) {
     const auto& samples = samples_of(bands, b);
-    // The first sum has rounding errors of large numbers, the second one only those of the small
-    // differences that are left.
+    // The first sum is one of large numbers and has large rounding errors. The second sum corrects
+    // it: it is one of small differences, so it has small rounding errors.
     const double about = sum_by_rows(bands, [&](std::size_t i) { return samples[i]; }) / pixels;
     const double rest = sum_by_rows(bands, [&](std::size_t i) { return samples[i] - about; });
     moments.mean[b] = about + rest / pixels;

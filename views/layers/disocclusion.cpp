@@ -8,7 +8,7 @@ namespace glassbox::views {
 
 namespace {
 
-// The depth of a depth code.
+// The depth that a depth code stores.
 float depth_of_code(DepthFormat format, std::uint32_t code) {
   constexpr std::uint32_t kOne = std::bit_cast<std::uint32_t>(1.0f);
   switch (format) {
@@ -23,13 +23,14 @@ float depth_of_code(DepthFormat format, std::uint32_t code) {
   return float(code / unorm_depth_steps(format));
 }
 
-// Pixels of parallax by which another surface differs from the same surface, seen between its
-// samples.
+// px of parallax: a surface whose parallax differs by at least this much is a different surface.
+// Smaller differences are also found between two samples of one surface.
 constexpr float kOtherSurface = 1;
 
-// Finds for each pixel the column that it comes from, and the openings, where the row may show
-// more. These are holes, and pixels whose surface comes from further left than that of a pixel
-// before them, which has passed in front of it. Returns whether there are any.
+// Finds for each pixel in a row of the second picture the column of the first picture that it comes
+// from, and the pixels where a deeper surface may be visible. These are the holes, and the pixels
+// that come from farther left than some pixel to their left: its surface has passed in front of
+// theirs. Returns whether there is any such pixel.
 bool find_uncovered_columns(const EyeShift& shift, int width, const EyeTarget& to,
                             DisocclusionBuffers& buffers) {
   buffers.from.resize(std::size_t(width));
@@ -76,7 +77,8 @@ bool find_disocclusions(const EyeShift& shift, const std::uint32_t* last, int wi
     while (float(q) < end && buffers.from[std::size_t(q)] >= infinity - kOtherSurface)
       q = buffers.next[std::size_t(q) + 1];
     if (!(float(q) < end)) continue;
-    // Begins one pixel before it, because a pixel between two samples is a mixture of both.
+    // Begins one pixel to the left of pixel q, because the pixel between two samples is a mixture
+    // of both.
     const float place = std::max(least, float(q) - 1);
     const float limit = (infinity - place) / shift.by_nearness;
     behind[x] = depth_code(shift.format, (limit - shift.offset) / shift.slope);

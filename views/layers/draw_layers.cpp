@@ -23,22 +23,23 @@ namespace glassbox::views {
 
 namespace {
 
-// Along a row the warp is (column in pixels) * right + start. The start is computed anew in double
-// every 64 pixels, so that the rounding of a float is that of at most 64 steps anywhere in the row
-// (C-80).
+// Along a row, the warped position is start + (column in pixels) * right, in float. The start is
+// computed anew in double every 64 pixels, so that the rounding error of any pixel is that of at
+// most 64 steps (C-80).
 constexpr int kAnchorPixels = 64;
 // Two samples of neighbouring pixels belong to one surface if their relative difference in depth is
-// less than this.
+// at most this.
 constexpr float kSteepest = 1.0f / 16;
 constexpr int kRowsOfTask = 8;
-// How many numbers beyond the last one whole vectors may read or write.
+// Vector instructions read and write several numbers at once, and may go this many numbers beyond
+// the last one of an array.
 constexpr std::size_t kPadding = 64;
 
 WarpedPoint rounded(const Eigen::Vector4d& v) {
   return {float(v.x()), float(v.y()), float(v.z()), float(v.w())};
 }
 
-// The samples in the layout that the kernels read.
+// The samples of a layered depth image in the layout that the kernels read.
 struct Samples {
   explicit Samples(const LayeredImage& of)
       : image(of),
@@ -72,7 +73,7 @@ private:
     return {image.first[place], image.first[place + 1]};
   }
 
-  // The difference from a depth to the nearest depth in a neighbouring pixel, if the two may belong
+  // The difference from the depth `from` to the closest depth of pixel (x, y), if both may belong
   // to the same surface.
   std::optional<float> gain(float from, int x, int y) const {
     const auto [begin, end] = samples_at(x, y);
@@ -85,16 +86,18 @@ private:
     return least;
   }
 
-  // Depths are linear along a plane, so both sides have the same slope. Takes the flatter side: at
-  // an edge the other one would be too steep.
+  // The slope of the depth, from its differences to the neighbours on both sides. On a plane, both
+  // give the same slope. Otherwise the smaller one is used, because the larger one may belong to
+  // the edge of the surface.
   static float slope(const std::optional<float>& before, const std::optional<float>& after) {
     if (!before || !after) return after.value_or(-before.value_or(0));
     return std::abs(*before) < std::abs(*after) ? -*before : *after;
   }
 
-  // A plane in the world is also a plane in screen space: for p x + q y + r z + s = 0 the depth's
-  // slopes are -p / r and -q / r. They are limited to the steepest slope that is accepted without
-  // normals; a sample that is seen edge on is drawn as a line.
+  // A plane in the world is also a plane in screen space: for p x + q y + r z + s = 0, where z is
+  // the depth, the slopes of the depth along x and y are -p / r and -q / r. They are limited to the
+  // steepest slope that samples without normals may have; a sample that is seen edge on is drawn as
+  // a line.
   std::pair<float, float> slopes_of(const SampleNormal& n, const Eigen::Matrix4d& world_from_screen,
                                     const Eigen::Vector4d& at) const {
     const Eigen::Vector3d normal(n.x, n.y, n.z);
@@ -130,7 +133,7 @@ private:
   }
 };
 
-// The samples of one view warped to another, block by block.
+// Warps the samples of one view to another, block by block.
 class Warp {
 public:
   Warp(const Samples& samples, const LayerCamera& to)
@@ -166,9 +169,9 @@ private:
   WarpedPoint right_, depth_step_;
 };
 
-// Memory for the boxes of one row's samples.
+// Memory for the boxes of pixels that the samples of one row cover.
 struct RowBoxes {
-  // Boxes for `count` samples, with padding for whole vectors.
+  // Returns boxes for `count` samples, with padding for whole vectors.
   SampleBoxes of(std::size_t count) {
     const std::size_t size = count + kPadding;
     for (auto* edge : {&left, &top, &right, &bottom}) {
@@ -218,7 +221,7 @@ struct LayerDrawer::State {
 
 namespace {
 
-// Draws one picture.
+// Draws the samples as one picture, row by row.
 class Picture {
 public:
   Picture(const Samples& samples, const LayerCamera& to, const LayerDrawing& drawing)
@@ -229,7 +232,7 @@ public:
         warp_(samples, to),
         sides_(sides_of(drawing.splat, warp_.down())) {}
 
-  // Draws row y of the layers with depth comparison.
+  // Draws the samples of row y of the layers; at each pixel the nearest one stays.
   void draw_row(int y, Canvas& canvas) const {
     const KeyCanvas view = view_of(canvas);
     if (drawing_.splat == Splat::kPoint || drawing_.splat == Splat::kThree) {
@@ -252,7 +255,8 @@ public:
     });
   }
 
-  // Draws all samples in the order of kOcclusion.
+  // Draws all samples in the order of LayerOrder::kOcclusion, from far to near, without comparing
+  // depths.
   void draw_ordered(Canvas& canvas) const {
     const KeyCanvas view = view_of(canvas);
     const LayeredImage& image = samples_.image;
@@ -276,7 +280,7 @@ public:
     }
   }
 
-  // Finishes row y of the picture.
+  // Combines row y of all canvases, and stores it in the picture.
   void finish_row(int y, std::span<Canvas> canvases, std::vector<SampleKey>& scratch,
                   LayerPicture& into) const {
     const bool widened = drawing_.splat == Splat::kThree && drawing_.order == LayerOrder::kDepth;

@@ -23,10 +23,11 @@ using EyeI = hn::RebindToSigned<EyeF>;
 using EyeU = hn::RebindToUnsigned<EyeF>;
 constexpr int kMostEyeLanes = 16;
 
-// Two neighbouring pixels belong to one surface if they move less than half a pixel apart or
-// together.
+// Two neighbouring pixels belong to one surface if the warp changes the distance of their centres,
+// 1 px, by less than half a pixel.
 constexpr float kLeastStep = 0.5f, kMostStep = 1.5f;
-constexpr float kSteepStep = 4;  // px
+// px; on a steep surface, the centres of neighbouring pixels may be this far apart.
+constexpr float kSteepStep = 4;
 
 constexpr std::uint32_t kFields = 0x00ff00ff, kHalves = 0x00800080;
 
@@ -62,7 +63,7 @@ private:
     const EyeF f;
     const EyeI d;
     const EyeU u;
-    constexpr std::uint32_t kOne = 0x3f800000;  // the bits of 1
+    constexpr std::uint32_t kOne = 0x3f800000;  // the bits of the float 1
     if (format_ == DepthFormat::kFloat32) return hn::BitCast(f, codes);
     if (format_ == DepthFormat::kFloat32Reversed)
       return hn::BitCast(f, hn::Sub(hn::Set(u, kOne), codes));
@@ -84,12 +85,12 @@ struct RowWarp {
 
   std::uint32_t color_of(int i) const { return std::bit_cast<std::uint32_t>(color[i]); }
   bool is_there(int i) const { return is_first || nearness[i] > 0; }
-  bool both_there(int i) const {  // i and i + 1
-    return i >= 0 && i + 1 < width && is_there(i) && is_there(i + 1);
-  }
+  // Whether neither pixel i nor pixel i + 1 is empty. (Empty pixels of the first layer show the
+  // background, which is a surface.)
+  bool both_there(int i) const { return i >= 0 && i + 1 < width && is_there(i) && is_there(i + 1); }
   float step(int i) const { return place[i + 1] - place[i]; }
-  // Whether i and i + 1 belong to one surface: either they stay close together, or they move apart
-  // as much as their own neighbours do, which is a steep surface.
+  // Whether pixels i and i + 1 belong to one surface: either they stay close together, or they move
+  // apart as much as the pair of pixels beside them does, as on a steep surface.
   bool joined(int i) const {
     if (!both_there(i)) return false;
     const float own = step(i);
@@ -108,8 +109,9 @@ struct RowWarp {
     to.nearness[at] = near;
     to.color[at] = shown;
   }
-  // On one surface, a pixel between two warped centres gets a mixture of both colours; at the edge
-  // of a surface its last pixel extends over half of its width.
+  // Draws pixel i. On one surface, a pixel between two warped centres gets a mixture of both
+  // colours. At the edge of a surface, the pixel that contains the last warped centre gets its
+  // colour.
   void warp_pixel(int i) const {
     if (!is_there(i)) return;
     const float at = place[i];
@@ -121,7 +123,8 @@ struct RowWarp {
     }
     warp_mixed_pixels(i, std::ceil(at - 0.5f));
   }
-  // Puts mixtures into the pixels from x on whose centres are between those of i and i + 1.
+  // Puts mixtures of pixels i and i + 1 into the pixels from x on whose centres are before the
+  // warped centre of pixel i + 1.
   void warp_mixed_pixels(int i, float x) const {
     const float at = place[i], next = place[i + 1];
     for (; x + 0.5f < next; x += 1) {
@@ -132,7 +135,7 @@ struct RowWarp {
   }
 };
 
-// Pixels [begin, end) show the background unless they show something else.
+// Gives the background's colour to those of the pixels [begin, end) that are still holes.
 void fill_empty(const EyeTarget& target, int begin, int end, std::uint32_t color) {
   const EyeU u;
   const int lanes = int(hn::Lanes(u));
@@ -164,16 +167,16 @@ void warp_row(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scra
   const auto is_empty = [&](int from) HWY_ATTR {
     return hn::Eq(hn::LoadU(u, row.depth + from), hn::Set(u, kEmptyDepth));
   };
-  // Whether the vector from `from` on is empty and, in the first layer, has the colour of pixel
-  // `like`. (Empty pixels may have any colour: transparent surfaces store no depth, and neither
-  // does an edge that covers some samples but not the centre.)
+  // Whether all pixels of the vector that begins at `from` are empty and, in the first layer, have
+  // the colour of pixel `like`. (Empty pixels may have any colour: transparent surfaces store no
+  // depth, and neither does an edge that covers some samples of a pixel but not its centre.)
   const auto is_plain = [&](int from, int like) HWY_ATTR {
     if (!row.is_first) return hn::AllTrue(u, is_empty(from));
     const auto same = hn::Eq(hn::LoadU(u, colors + from), hn::Set(u, colors[like]));
     return hn::AllTrue(u, hn::And(is_empty(from), same));
   };
-  // Computes places and nearnesses of the pixels from `begin` on, up to `end` or the end of its
-  // vector.
+  // Computes the warped places and the nearnesses of the pixels from `begin` to `end`, and of the
+  // rest of the last vector.
   const auto fill_places = [&](int begin, int end) HWY_ATTR {
     for (int i = begin; i < end; i += lanes) {
       HWY_ALIGN std::uint32_t rest[kMostEyeLanes] = {};
@@ -189,8 +192,8 @@ void warp_row(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scra
       hn::StoreU(hn::Add(hn::Add(hn::Iota(f, float(i)), half), moved), f, place + i);
     }
   };
-  // Deep enough inside a run of plain pixels the places are not needed: a surface reads at most a
-  // vector and two neighbours beyond its end.
+  // Inside a run of plain pixels the warped places are needed only near its ends: the loop below
+  // reads at most a vector and two neighbours beyond the end of a surface.
   const int reach = 3 + lanes;
   for (int begin = 0; begin < row.width;) {
     int run = begin;
@@ -213,7 +216,8 @@ void warp_row(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scra
   HWY_ALIGN std::uint32_t depth[kMostEyeLanes];
   for (; i + lanes < row.width; i += lanes) {
     if (hn::AllTrue(u, is_empty(i - 1)) && is_plain(i, i) && is_plain(i + 1, i)) {
-      // Empty, or background of one colour: a run stays a run.
+      // A run of empty pixels, or of background of one colour, is also a run in the other picture,
+      // so that its pixels need not be warped one by one.
       const int first = i;
       while (i + 2 * lanes < row.width && is_plain(i + lanes + 1, first)) i += lanes;
       if (row.is_first) {
@@ -241,7 +245,8 @@ void warp_row(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scra
       continue;
     }
     const auto shows = hn::Lt(center, next);
-    // (No two neighbours of one surface cover the same centre, so their order does not matter.)
+    // If neighbours moved apart, a second centre may be between them. (No two pairs of neighbours
+    // on one surface cover the same centre, so their order does not matter.)
     const auto again = hn::Lt(hn::Add(center, one), next);
     if (!hn::AllFalse(f, again)) {
       for (int k = i; k < i + lanes; ++k)
@@ -255,7 +260,7 @@ void warp_row(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scra
     const auto of_own = hn::Sub(hn::Set(u, 256), of_next);
     const auto fields = hn::Set(u, kFields), halves = hn::Set(u, kHalves);
     const auto a = hn::LoadU(u, colors + i), b = hn::LoadU(u, colors + i + 1);
-    // Two channels at once in fields of 16 bits: the largest value is 255 * 256 + 128.
+    // Mixes two channels at once, each in a field of 16 bits: the largest value is 255 * 256 + 128.
     const auto mix = [&](auto of_a, auto of_b) {
       return hn::Add(hn::Add(hn::Mul(of_a, of_own), hn::Mul(of_b, of_next)), halves);
     };
@@ -264,7 +269,7 @@ void warp_row(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scra
         mix(hn::And(hn::ShiftRight<8>(a), fields), hn::And(hn::ShiftRight<8>(b), fields));
     const auto shown = hn::Or(hn::And(hn::ShiftRight<8>(even), fields), hn::AndNot(fields, odd));
     const auto how_near = hn::Add(hn::BitCast(u, near), hn::Set(u, 1));
-    // On most surfaces neighbours remain neighbours.
+    // On most surfaces neighbours remain neighbours, so that they can be stored as one vector.
     const float first = hn::GetLane(x);
     const auto in_line = hn::Eq(x, hn::Add(hn::Set(f, first), hn::Iota(f, 0.0f)));
     if (hn::AllTrue(f, hn::And(in_line, inside))) {

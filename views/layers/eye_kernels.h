@@ -1,6 +1,6 @@
 // The inner loops of warping one eye's picture to the other's, compiled once for each instruction
-// set. They use floats in one written order and integers, so that every target gives the same
-// bytes.
+// set. They use integers, and floats in the order of operations that the code states, so that the
+// result has the same bytes for every instruction set.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace glassbox::views {
 
-// Along a row, a pixel of one eye appears in the other eye's row at x + at_infinity - by_nearness *
-// nearness. The nearness is 1 at the near plane and 0 where there is no surface: near / distance,
-// or in a parallel view (far - distance) / (far - near). In both cases it is linear in the stored
-// depth: offset + slope * depth.
+// A pixel at column x of one eye's row appears in the other eye's row at x + at_infinity -
+// by_nearness * nearness. The nearness is 1 at the near plane and 0 where there is no surface: near
+// / distance, or in a parallel view (far - distance) / (far - near). In both cases it is linear in
+// the stored depth: offset + slope * depth.
 struct EyeShift {
   DepthFormat format;
   float offset, slope;
@@ -23,28 +23,29 @@ struct EyeShift {
 
 struct EyeRow {
   const Rgba8* color;
-  const std::uint32_t* depth;  // depth codes
+  const std::uint32_t* depth;  // as codes of a DepthFormat
   int width;
-  // First layer: its empty pixels show the background; those of other layers show nothing.
+  // Whether this is the first layer: its empty pixels show the background, while empty pixels of
+  // other layers show nothing.
   bool is_first;
 };
 
-// The other eye's row while it is made: its colours, and their nearness as its bits + 1 (0 for a
-// hole). Each array has one number more than there are pixels: pixels outside of the row are
-// written there, and its value has no meaning.
+// The other eye's row while it is made: the colours, and the nearness of each pixel as the bits of
+// a float, plus 1 (0 for a hole). Each array has one element more than the row has pixels: pixels
+// outside of the row are written there, and its value has no meaning.
 struct EyeTarget {
   std::uint32_t* color;
   std::uint32_t* nearness;
 };
 
 struct EyeKernels {
-  // Warps a row into the target. The nearer pixel stays; of equally near ones, the first. `scratch`
-  // has room for 2 width + 256 numbers.
+  // Warps a row into the target `to`. Where several pixels meet, the nearest one stays; of equally
+  // near ones, the first. `scratch` has room for 2 width + 256 numbers.
   void (*warp_row)(const EyeShift& shift, const EyeRow& row, float* scratch, const EyeTarget& to);
 
-  // Fills holes from the pixel beside them, the farther one of both sides. A row to which nothing
-  // was warped gets the colour that the caller has put into its pixel 0. Returns the number of
-  // pixels filled.
+  // Fills each hole with the colour of the pixel to its left or to its right, whichever is farther
+  // away. A row to which nothing was warped gets the colour that the caller has put into its pixel
+  // 0. Returns the number of pixels filled.
   int (*fill)(const EyeTarget& row, int width);
 };
 

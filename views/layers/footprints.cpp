@@ -10,7 +10,8 @@ namespace glassbox::views {
 
 namespace {
 
-// The alpha is 2^-shift: 2^-(r / radius)^2 with the exponent rounded to the nearest, and at most 2.
+// The alpha at (dx, dy) from the splat's centre is 2^-shift. The shift is (r / radius)^2 for the
+// distance r from the centre, rounded to the nearest whole number, and at most 2.
 int shift_at(int dx, int dy, int radius) {
   const int squared = dx * dx + dy * dy, one = radius * radius;
   return std::min((2 * squared + one) / std::max(2 * one, 1), 2);

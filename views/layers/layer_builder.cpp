@@ -83,7 +83,7 @@ LayeredImage LayerBuilder::pack() const {
     for (std::uint32_t i = last; i != kNone; i = samples_[i].next) here.push_back(samples_[i]);
     std::ranges::sort(here, [](const Sample& a, const Sample& b) { return is_behind(b, a); });
     std::size_t kept = 0;  // number of samples kept so far, counted from the front
-    double front = 0;      // depth of the first of those that are merged
+    double front = 0;      // depth of the nearest sample of the group that is being merged
     for (const Sample& sample : here) {
       const bool is_new = kept == 0 || front - double(sample.depth) > epsilon_ * front;
       if (is_new) {

@@ -14,7 +14,8 @@
 
 namespace glassbox::views {
 
-// What a sample may have besides a depth and a colour, and whether it is wanted.
+// What a sample may have besides a depth and a colour (SampleAttributes), and which of it is wanted
+// (WantedAttributes).
 struct SampleAttributes {
   SampleNormal normal;
   std::uint32_t triangle = 0;
@@ -26,14 +27,16 @@ struct WantedAttributes {
 // Keeps a list of samples for each pixel, and packs the lists at the end.
 class LayerBuilder {
 public:
-  // Samples of a pixel whose depths differ by at most epsilon times that of the nearest one are
-  // merged. The one of the lowest rank stays; among those, the nearest. Groups are made from the
-  // front: the nearest remaining sample merges all that are within epsilon of it, but not those
-  // that are near only to one of the others (C-84).
+  // Samples of a pixel whose depths differ by at most epsilon times the depth of the nearest one
+  // are merged. The merged sample with the lowest rank stays; if several have that rank, the
+  // nearest. Groups are made from the front: the nearest remaining sample is merged with all that
+  // are within epsilon of it, but not with samples that are only near another sample of the group
+  // (C-84).
   LayerBuilder(const LayerCamera& camera, double epsilon, const WantedAttributes& wanted = {});
 
-  // The pixel must be inside the picture. A depth that is not positive and finite is left out.
-  // `rank` is 0 for samples that the camera itself sees.
+  // The pixel must be inside the picture. A sample whose depth is not positive and finite is left
+  // out. `rank` is 0 for samples that the camera itself sees; of merged samples the one with the
+  // lowest rank stays.
   void add(int x, int y, float depth, Rgba8 color, std::uint32_t rank = 0,
            const SampleAttributes& source = {});
 
@@ -42,8 +45,8 @@ public:
   // picture or not in front of the camera.
   std::size_t add_picture(const View& from, const Image<Rgba8>& color, const Image<float>& distance,
                           std::uint32_t rank = 0);
-  // Adds the pixels of a layer in the same way. `normals` is indexed by triangle number; it may be
-  // empty.
+  // Adds the pixels of a layer as add_picture() does. `normals` is indexed by triangle number; it
+  // may be empty.
   std::size_t add_layer(const View& from, const Layer& layer, std::span<const SampleNormal> normals,
                         std::uint32_t rank = 0);
 
@@ -67,16 +70,18 @@ private:
   LayerCamera camera_;
   double epsilon_;
   WantedAttributes wanted_;
-  std::vector<std::uint32_t> last_added_;  // by place in the packed order; kNone: no sample yet
-  // A deque, because a vector of so many would be copied when it grows.
+  // For each pixel in the packed order, the sample added last; kNone: no sample yet.
+  std::vector<std::uint32_t> last_added_;
+  // A deque, because a vector of so many samples would be copied when it grows.
   std::deque<Sample> samples_;
 };
 
 // Keeps the nearest and the farthest sample of each pixel: parallax uncovers these first and most.
 LayeredImage nearest_and_farthest(const LayeredImage& image);
 
-// Two pictures of one surface differ in depth by rounding, and by the slope of the surface over a
-// pixel; 1/1024 covers both except on grazing surfaces.
+// A value for epsilon when pictures are merged: two pictures of one surface differ in depth by
+// rounding, and by the slope of the surface over a pixel; 1/1024 covers both except on grazing
+// surfaces.
 inline constexpr double kMergedDepths = 0x1p-10;
 
 // Builds layers by depth peeling from one view: at most `layers` of them, with the settings'

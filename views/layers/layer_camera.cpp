@@ -6,7 +6,8 @@ namespace glassbox::views {
 
 namespace {
 
-// The row of the matrix from eye space that gives w times the depth of layer_camera.h.
+// The row of the matrix from eye space to the screen that gives w times the depth (as in
+// layer_camera.h).
 Eigen::RowVector4d depth_row(const View& view, const Eigen::Matrix4d& clip_from_eye) {
   if (view.perspective) return {0, 0, 0, view.near};
   if (view.depth_range == DepthRange::kReversed) return clip_from_eye.row(2);

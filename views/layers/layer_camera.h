@@ -36,9 +36,10 @@ double distance_of(const View& view, double depth);
 // direction towards the eye.
 Eigen::Vector4d eye_of(const LayerCamera& camera);
 
-// The matrix C12 = C2 C1^-1, in double (S1-07): (x2 w, y2 w, z2 w, w) = C12 (x1, y1, z1, 1), where
-// w is the distance along the second camera's direction of view divided by that along the first
-// one's (1 for parallel views). It is positive in front of both cameras.
+// The matrix C12 = C2 C1^-1, where C1 and C2 are screen_from_world of the cameras `from` and `to`,
+// in double (S1-07): (x2 w, y2 w, z2 w, w) = C12 (x1, y1, z1, 1), where w is the distance along the
+// second camera's direction of view divided by that along the first one's (1 for parallel views).
+// It is positive in front of both cameras.
 Eigen::Matrix4d warp_matrix(const LayerCamera& to, const LayerCamera& from);
 
 }  // namespace glassbox::views

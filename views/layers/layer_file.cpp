@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kMagic = "glassbox-layers 1\n";
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Converts between a number and its bytes in the file's order.
+// The bytes of a number in the file's order, little-endian.
 template <class T>
 std::array<std::byte, sizeof(T)> in_order(T value) {
   auto bytes = std::bit_cast<std::array<std::byte, sizeof(T)>>(value);
@@ -58,7 +58,7 @@ public:
     skip(word.size());
     return true;
   }
-  // Removes a number; its bytes must be there.
+  // Reads a number and moves on to the next one. The caller has checked that its bytes are there.
   template <class T>
   T take() {
     std::array<std::byte, sizeof(T)> in_file;
@@ -100,7 +100,8 @@ std::optional<Lens> lens_of(std::uint32_t kind, const LensNumbers& n) {
   return std::nullopt;
 }
 
-// Optional parts after the colours: a word, and four bytes for each sample.
+// Optional parts of the file after the colours begin with one of these words, followed by four
+// bytes for each sample.
 constexpr std::string_view kNormals = "norm", kTriangles = "tris";
 
 constexpr std::size_t kHeaderBytes = kMagic.size() + 2 * 4 + 4 + 6 * 8 + 16 * 8 + 4 + 4;
@@ -148,7 +149,7 @@ bool is_layers(std::span<const std::byte> bytes) {
 Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::string& source) {
   const auto bad = [&](std::size_t at, const std::string& what) {
     return fail(source, fmt::format("byte {}: {}", at, what),
-                "make it with glassbox views layers build");
+                "make the file with `glassbox views layers build`");
   };
   if (!is_layers(bytes)) return bad(0, "this is not a layered depth image of version 1");
   if (bytes.size() < kHeaderBytes) return bad(bytes.size(), "the file ends inside its header");
@@ -164,7 +165,8 @@ Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::
   for (double& number : numbers) number = in.take<double>();
   StoredLayers layers;
   const std::optional<Lens> lens = lens_of(kind, numbers);
-  if (!lens) return bad(in.at(), fmt::format("the lens is {}, but must be 0, 1 or 2", kind));
+  if (!lens)
+    return bad(in.at(), fmt::format("the kind of the lens is {}, but must be 0, 1 or 2", kind));
   layers.camera.lens = *lens;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
@@ -195,7 +197,7 @@ Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::
     for (SampleNormal& n : image.normal) {
       for (std::int8_t* number : {&n.x, &n.y, &n.z}) *number = in.take<std::int8_t>();
       if (in.take<std::int8_t>() != 0)
-        return bad(in.at() - 1, "the fourth number of a normal is not 0");
+        return bad(in.at() - 1, "the fourth byte of a normal is not 0");
     }
   }
   if (in.left() > 0 && in.take_word(kTriangles)) {
@@ -203,7 +205,7 @@ Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::
     for (std::uint32_t& number : image.triangle) number = in.take<std::uint32_t>();
   }
   if (in.left() > 0)
-    return bad(in.at(), "neither normals nor triangles follow, or their order is wrong");
+    return bad(in.at(), "what follows is neither normals nor triangles, or is in the wrong order");
   if (const auto good = check(image, source); !good) return tl::unexpected(good.error());
   return layers;
 }

@@ -41,6 +41,6 @@ std::vector<std::byte> encode_layers(const StoredLayers& layers);
 // numbers whose bytes are in the file.
 Result<StoredLayers> decode_layers(std::span<const std::byte> bytes, const std::string& source);
 
-bool is_layers(std::span<const std::byte> bytes);  // whether the file begins like one
+bool is_layers(std::span<const std::byte> bytes);  // whether the bytes begin like such a file
 
 }  // namespace glassbox::views

@@ -54,10 +54,15 @@ Result<Camera> camera_of_pinhole(const PinholeCamera& pinhole, int width, int he
                                  std::optional<double> far) {
   const Matrix3d& k = pinhole.intrinsic;
   if (k(0, 1) != 0) {
-    return fail("K", fmt::format("has the skew {:g}: its pixels are not rectangles", k(0, 1)),
-                "rectify the picture first");
+    return fail(
+        "K",
+        fmt::format(
+            "this intrinsic matrix of a camera has the skew {:g}, so the pixels are not rectangles",
+            k(0, 1)),
+        "rectify the picture first");
   }
-  // The pixel of (X, Y, Z) is (fx X/Z + cx, fy Y/Z + cy), y down.
+  // The pinhole camera shows the point (X, Y, Z) at the pixel (fx X/Z + cx, fy Y/Z + cy), y down,
+  // where fx, fy, cx and cy are entries of K.
   const double left = -k(0, 2) / k(0, 0), right = (width - k(0, 2)) / k(0, 0);
   const double top = k(1, 2) / k(1, 1), bottom = (k(1, 2) - height) / k(1, 1);
   Camera camera;

@@ -12,8 +12,9 @@
 
 namespace glassbox::views {
 
-// The engine's camera for a picture of width x height pixels. Depths are measured relative to its
-// near plane; `far` may be absent. An error if K has a skew, because the engine's lenses have none.
+// Converts a pinhole camera to the engine's camera for a picture of width x height pixels. Depths
+// are measured relative to its near plane; `far` may be absent. An error if K has a skew, because
+// the engine's lenses have none.
 Result<Camera> camera_of_pinhole(const PinholeCamera& pinhole, int width, int height, double near,
                                  std::optional<double> far);
 

@@ -10,8 +10,8 @@ namespace glassbox::views {
 
 namespace {
 
-// Either unknown, or of length 127 to within the rounding of the three components, at most 1/2
-// each.
+// Whether a normal is unknown, or has the length 127 to within the rounding of its three
+// components, which is at most 1/2 each.
 bool is_legal(const SampleNormal& n) {
   const double length = std::sqrt(double(n.x * n.x + n.y * n.y + n.z * n.z));
   return !n.is_known() || std::abs(length - 127) <= std::sqrt(0.75);
@@ -26,7 +26,8 @@ Result<void> check(const LayeredImage& image, const std::string& source) {
   const LayerCamera& camera = image.camera;
   if (camera.width < 1 || camera.height < 1 || camera.width > kMaxImageSide ||
       camera.height > kMaxImageSide)
-    return bad(fmt::format("has {} x {} pixels", camera.width, camera.height));
+    return bad(fmt::format("has {} x {} pixels; 1 to {} in each direction are possible",
+                           camera.width, camera.height, kMaxImageSide));
   const Eigen::Matrix4d& m = camera.screen_from_world;
   if (!m.allFinite() || !m.inverse().allFinite())
     return bad("has a camera whose matrix has no inverse");
@@ -40,17 +41,21 @@ Result<void> check(const LayeredImage& image, const std::string& source) {
           fmt::format("has {} normals or triangles for {} samples", others, image.depth.size()));
   }
   if (image.first.front() != 0 || image.first.back() != image.depth.size())
-    return bad(fmt::format("has offsets from {} to {} of {} samples", image.first.front(),
-                           image.first.back(), image.depth.size()));
+    return bad(fmt::format(
+        "has offsets from {} to {}, but they must go from 0 to {}, the number of samples",
+        image.first.front(), image.first.back(), image.depth.size()));
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     const std::string where = fmt::format("pixel {}, from the bottom left,", pixel);
     const std::uint32_t begin = image.first[pixel], end = image.first[pixel + 1];
     if (begin > end || end > image.depth.size())
-      return bad(fmt::format("{} has its samples from number {} to number {}", where, begin, end));
+      return bad(fmt::format(
+          "{} has its samples from number {} to number {}, which is not a possible range", where,
+          begin, end));
     for (std::size_t i = begin; i < end; ++i) {
       const float depth = image.depth[i];
       if (!std::isfinite(depth) || !(depth > 0))
-        return bad(fmt::format("{} has the depth {}", where, depth));
+        return bad(fmt::format("{} has the depth {}, but depths must be positive and finite", where,
+                               depth));
       if (i > begin && !(image.depth[i - 1] < depth))
         return bad(fmt::format("{} has samples that are not in order from back to front", where));
       if (!image.normal.empty() && !is_legal(image.normal[i]))

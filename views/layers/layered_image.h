@@ -30,11 +30,11 @@ struct LayeredImage {
   // width * height + 1 ascending offsets: the samples of a pixel begin at first[pixel_index(x, y)]
   // and end where those of the next pixel begin.
   std::vector<std::uint32_t> first;
-  std::vector<float>
-      depth;  // as in layer_camera.h: positive, greater in front; no two are equal in a pixel
+  // As in layer_camera.h: positive, and greater in front; no two depths of a pixel are equal.
+  std::vector<float> depth;
   std::vector<Rgba8> color;
-  // Either one for each sample, or empty if they were not wanted. A triangle's number as in
-  // Framebuffer::id; 0: none.
+  // The normals and the triangle numbers: either one for each sample, or empty if they were not
+  // wanted. A triangle's number is as in Framebuffer::id; 0: none.
   std::vector<SampleNormal> normal;
   std::vector<std::uint32_t> triangle;
 
@@ -53,7 +53,7 @@ Result<void> check(const LayeredImage& image, const std::string& source);
 struct LayerCounts {
   std::size_t samples = 0;
   std::size_t covered = 0;  // pixels with at least one sample
-  std::size_t most = 0;     // largest number in one pixel
+  std::size_t most = 0;     // largest number of samples in one pixel
   // Samples per covered pixel; 0 if no pixel is covered.
   double complexity() const { return covered == 0 ? 0 : double(samples) / double(covered); }
 };

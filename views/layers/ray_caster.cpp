@@ -11,8 +11,8 @@ namespace glassbox::views {
 namespace {
 
 constexpr std::uint32_t kMostInLeaf = 4;
-// The first so many levels of splits may be uneven; deeper ones halve the triangles, so that 32
-// more levels are enough for any number.
+// Splits on the first levels of the tree, up to this many, may be uneven. Deeper splits halve the
+// number of triangles, so that 32 more levels are enough for any number.
 constexpr int kUnevenSplits = 60;
 
 struct TreeBox {
@@ -42,7 +42,8 @@ ShearedRay::ShearedRay(const Ray& ray) : origin_(ray.origin.cast<double>()) {
   ray.direction.cwiseAbs().maxCoeff(&z_);
   x_ = (z_ + 1) % 3;
   y_ = (z_ + 2) % 3;
-  // Exchanging two axes keeps the winding of the triangles.
+  // If the ray runs backwards along its longest axis, the triangles would appear mirrored.
+  // Exchanging the other two axes keeps their winding.
   if (ray.direction[z_] < 0) std::swap(x_, y_);
   shear_x_ = ray.direction[x_] / ray.direction[z_];
   shear_y_ = ray.direction[y_] / ray.direction[z_];
@@ -92,7 +93,8 @@ public:
   }
 
 private:
-  // Fills node `number` with the triangles between the three places.
+  // Fills node `number`: one child gets the triangles of order_ from the first to the second place,
+  // the other those from the second to the third.
   void fill(std::uint32_t number, const std::array<std::uint32_t, 3>& places, int depth) {
     for (std::size_t side = 0; side < 2; ++side) {
       const std::uint32_t begin = places[side], end = places[side + 1];
@@ -114,7 +116,8 @@ private:
     return box;
   }
 
-  // Boxes in floats, enlarged by more than their rounding error, 2^-24 of the largest coordinate.
+  // Stores a box in floats, enlarged by 2^-22 of the largest coordinate, which is more than the
+  // rounding error of 2^-24 of it.
   void set_box(RayCaster::Node& node, std::size_t side, const TreeBox& box) const {
     for (int axis = 0; axis < 3; ++axis) {
       node.low[side][std::size_t(axis)] = float(box.low[axis] - margin_);
@@ -122,8 +125,8 @@ private:
     }
   }
 
-  // Reorders the triangles so that each half is contiguous, and returns where the second half
-  // begins: after `begin` and before `end`.
+  // Reorders the triangles of a range so that each side of the best split is contiguous, and
+  // returns where the second side begins: after `begin` and before `end`.
   std::uint32_t split(std::uint32_t begin, std::uint32_t end, int depth) {
     const auto range = std::span(caster_.order_).subspan(begin, end - begin);
     TreeBox middles;
@@ -151,8 +154,8 @@ private:
     return std::min(kBins - 1, int(along * kBins));
   }
 
-  // The cost of the best split, and the bin before which it is; the cost is infinite where one side
-  // would be empty.
+  // Finds the best split along an axis: returns its cost, and the number of the bin before which it
+  // is. The cost is infinite if one side would be empty.
   std::pair<double, int> cheapest(std::span<const std::uint32_t> range, const TreeBox& middles,
                                   int axis) const {
     std::array<TreeBox, kBins> boxes;
@@ -162,7 +165,7 @@ private:
       boxes[bin].include(boxes_[i]);
       ++counts[bin];
     }
-    std::array<double, kBins> behind{};  // cost of the triangles from a bin on
+    std::array<double, kBins> behind{};  // for each bin, the cost of the triangles from it on
     TreeBox box;
     double count = 0;
     for (std::size_t bin = kBins; bin-- > 1;) {
@@ -182,7 +185,8 @@ private:
     return best;
   }
 
-  // A visit adds at most one more visit than it removes, and halving 2^32 triangles takes 32
+  // Visiting a node removes one entry from the list of visits and adds at most two, so at each
+  // level the list grows by at most one. Besides the uneven levels, halving 2^32 triangles takes 32
   // levels.
   static_assert(kUnevenSplits + 32 + 2 <= RayCaster::kDeepest);
 

@@ -13,23 +13,23 @@
 namespace glassbox::views {
 
 struct Ray {
-  Eigen::Vector3f origin;     // in float, so that the test of the boxes has exactly this number
+  Eigen::Vector3f origin;     // in float, because the test of the boxes computes in float
   Eigen::Vector3d direction;  // of any length but 0
 };
 
 struct RayHit {
   double distance = std::numeric_limits<double>::infinity();  // in units of the direction's length
   std::uint32_t triangle = 0;
-  std::array<double, 3> weights{};  // of the corners, none below 0
-  bool front = true;                // the corners are counter-clockwise as seen from the ray
+  std::array<double, 3> weights{};  // of the corners in the hit point, none below 0
+  bool front = true;  // whether the corners are counter-clockwise as seen from the ray's origin
 };
 
 using TriangleCorners = std::array<Eigen::Vector3d, 3>;
 
 // A ray prepared for the triangle test: sheared so that it runs along its longest axis (Woop,
 // Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013). For an edge that two
-// triangles share, the edge functions are made of the same products, so at least one of the two
-// triangles is hit; a ray exactly on the edge hits both.
+// triangles share, both tests compute the edge function from the same products, so a ray there hits
+// at least one of the two triangles; a ray exactly on the edge hits both.
 class ShearedRay {
 public:
   explicit ShearedRay(const Ray& ray);
@@ -38,7 +38,7 @@ public:
 
 private:
   Eigen::Vector3d origin_;
-  int x_, y_, z_;  // axes, the direction's longest one last
+  int x_, y_, z_;  // the axes, reordered so that the direction's longest component is along z_
   double shear_x_, shear_y_, shear_z_;
 };
 
@@ -48,8 +48,8 @@ public:
   explicit RayCaster(std::vector<TriangleCorners> triangles);
 
   const TriangleCorners& corners(std::uint32_t triangle) const { return triangles_[triangle]; }
-  // The point of the hit, as a mean of the triangle's corners: on the triangle to within 8 u of the
-  // largest coordinate.
+  // The point of the hit, as a mean of the triangle's corners: on the triangle to within 8 u (the
+  // unit roundoff, 2^-53) of the largest coordinate.
   Eigen::Vector3d hit_point(const RayHit& hit) const;
 
   // The nearest hit for which `accepts(hit)` is true, at most at the distance `within`; of several
@@ -59,31 +59,34 @@ public:
                              double within = std::numeric_limits<double>::infinity()) const;
 
 private:
-  // Two boxes, and their contents: `count` triangles of order_ from `first` on, or, if `count` is
-  // 0, the node `first`.
+  // An inner node of the tree. It has two boxes, and for each its contents: `count` triangles of
+  // order_ from `first` on, or, if `count` is 0, the node `first`.
   struct Node {
     std::array<std::array<float, 3>, 2> low, high;
     std::array<std::uint32_t, 2> first, count;
   };
-  // A node or triangles that are still to be visited, and the distance from which on they may
-  // contain a hit.
+  // A node, or a group of triangles, that is still to be visited, and the distance from which on it
+  // may contain a hit.
   struct Visit {
     std::uint32_t first, count;
     float from;
   };
-  // The reciprocals of the direction's components. A component below 2^-60 is replaced by 2^-60:
-  // over any distance this moves the ray by less than the boxes are enlarged.
+  // The reciprocals of the direction's components. A component below 2^-60 of the largest one is
+  // replaced by 2^-60 of it: over any distance this moves the ray by less than the boxes are
+  // enlarged.
   struct BoxRay {
     explicit BoxRay(const Ray& ray);
     std::array<float, 3> origin, inverse;
   };
   friend class RayTree;
 
-  static constexpr int kDeepest = 96;  // see ray_caster.cpp
+  // The most entries of the list of visits; see the static_assert in ray_caster.cpp.
+  static constexpr int kDeepest = 96;
 
-  // The distance at which the ray enters the box, or infinity. A distance is a difference and a
-  // product of floats, each with an error of 2^-24, and a reciprocal with the same error: 3 * 2^-24
-  // in all. So both ends are widened by 2^-21 (Ize, "Robust BVH Ray Traversal", JCGT 2013).
+  // The distance at which the ray enters the box, or infinity if it misses the box. A distance is
+  // computed with three roundings (a difference, a reciprocal and their product), each with a
+  // relative error of 2^-24: 3 * 2^-24 in all. So the interval of distances inside the box is
+  // widened by 2^-21 at both ends (Ize, "Robust BVH Ray Traversal", JCGT 2013).
   static float entry_distance(const Node& node, std::size_t side, const BoxRay& ray) {
     constexpr float kWider = 1 + 0x1p-21f, kNarrower = 1 - 0x1p-21f;
     float from = 0, to = std::numeric_limits<float>::infinity();
@@ -100,8 +103,8 @@ private:
 
   std::vector<TriangleCorners> triangles_;
   std::vector<std::uint32_t> order_;
-  std::vector<Node>
-      nodes_;  // from the root on; empty if there are so few triangles that all of them are tested
+  // From the root on; empty if there are so few triangles that all of them are tested.
+  std::vector<Node> nodes_;
 };
 
 template <class Accepts>

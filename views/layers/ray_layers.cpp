@@ -57,15 +57,14 @@ public:
   }
 
 private:
-  // How far along the ray the picture can show something: up to the last point between the planes
-  // through the picture's edges and the near and far planes. Below 0 if no part of the ray is
-  // between them.
+  // The distance along the ray up to which the picture can show something: that of the ray's last
+  // point inside the view frustum. Below 0 if no part of the ray is inside.
   double last_seen(const Ray& ray) const {
     const Eigen::Vector4d start =
         camera_.screen_from_world * ray.origin.cast<double>().homogeneous();
     const Eigen::Vector4d step = camera_.screen_from_world.leftCols<3>() * ray.direction;
     double from = 0, to = std::numeric_limits<double>::infinity();
-    // Keeps the distances t with a + t b >= 0.
+    // Limits the interval [from, to] to the distances t with a + t b >= 0.
     const auto keep = [&](double a, double b) {
       if (b > 0) from = std::max(from, -a / b);
       if (b < 0) to = std::min(to, -a / b);
@@ -108,8 +107,9 @@ private:
 }  // namespace
 
 Ray ray_of(const std::array<double, 4>& numbers, double half_side) {
-  // Uniform points of a disc, projected up to the hemisphere: a direction's density is the cosine,
-  // as the projected solid angle is the area on the disc (Malley's method).
+  // Malley's method: uniform points of a disc are projected up to the hemisphere. The density of
+  // the directions is then the cosine of their angle to the axis, because an area on the disc is a
+  // projected solid angle.
   const double radius = std::sqrt(numbers[2]);
   const SinCos turn = sin_cos(2 * kPi * numbers[3]);
   const double across_x = half_side * (2 * numbers[0] - 1),

@@ -49,7 +49,7 @@ std::vector<TriangleCorners> RaySurfaces::corners_of(const DrawList& list,
             draw.mesh->positions[draw.mesh->corners[triangles[i].corners[k]].position];
         const Point<Eye, double> eye = draw.eye_from_object * Point<Object, double>(p.x, p.y, p.z);
         corners[k] = {eye.x, eye.y, eye.z};
-        // A rasterizer would not draw such a triangle either.
+        // A triangle with such a corner is left out; a rasterizer would not draw it either.
         finite = finite && corners[k].cwiseAbs().maxCoeff() < kFarthest;
       }
       if (!finite) continue;
@@ -69,10 +69,10 @@ RaySurfaces::RaySurfaces(const Scene& scene, const View& view, const RenderSetti
   for (const Draw& draw : list_.draws) tables_.push_back(make_eye_space_tables(draw, settings_));
 }
 
-// The mip level at which a texel is as large as a pixel of the view is on the surface. When the
-// pixel moves by one step, the point of the surface P = r c / (n . r) on the ray r, with c = n . P,
-// moves by the derivative of this. From it follow the changes of the corners' weights and of the
-// texture's coordinates.
+// The mip level at which a texel is as large as a pixel of the view, measured on the surface. The
+// ray with direction r meets the surface's plane, n . P = c, at the point P = r c / (n . r). When r
+// moves by one pixel, P moves by the derivative of this. From that movement follow the changes of
+// the corners' weights and of the texture coordinates.
 float RaySurfaces::detail_at(const MipChain& texture, const RayHit& hit, const Draw& draw,
                              const Triangle& triangle) const {
   const TriangleCorners& corners = caster_.corners(hit.triangle);

@@ -17,19 +17,20 @@ inline constexpr double kFarthest = 1e30;
 
 class RaySurfaces {
 public:
-  // The view must be perspective, and the shading unlit or kPhong. The scene must outlive the
+  // The view must be perspective, and the shading unlit or kPhong. The scene must outlive this
   // object.
   RaySurfaces(const Scene& scene, const View& view, const RenderSettings& settings);
   RaySurfaces(const RaySurfaces&) = delete;
   RaySurfaces& operator=(const RaySurfaces&) = delete;
 
-  // Its triangles are in eye space.
+  // The caster's triangles are in eye space.
   const RayCaster& caster() const { return caster_; }
 
   // The number of the hit triangle, as in Framebuffer::id.
   std::uint32_t number(const RayHit& hit) const;
 
-  // Whether the surface is neither culled nor a hole of its alpha mask there.
+  // Whether the surface is drawn at the hit: it is not culled, and its alpha mask has no hole
+  // there.
   bool is_drawn_at(const RayHit& hit) const;
 
   // The colour that the engines draw: light, highlights as the view's eye sees them, and textures
@@ -54,8 +55,8 @@ private:
   const RenderSettings settings_;
   PreparedScene prepared_;
   DrawList list_;
-  std::vector<EyeSpaceTables> tables_;                  // by draw
-  std::vector<TriangleReference> triangle_references_;  // by number of the caster's triangle
+  std::vector<EyeSpaceTables> tables_;                  // one for each draw
+  std::vector<TriangleReference> triangle_references_;  // one for each triangle of caster_
   RayCaster caster_;
 };
 

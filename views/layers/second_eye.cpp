@@ -29,7 +29,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kRowsOfTask = 16;
 
-// The parallax p(z) of parallax.h as a linear function of the nearness, from its values at 0 and 1.
+// The parallax p(z) of parallax.h as a linear function of the nearness, from its values at the
+// nearnesses 0 and 1.
 EyeShift eye_shift_of(const View& centre, const StereoPair& pair, DepthFormat format) {
   EyeShift shift{};
   shift.format = format;
@@ -41,7 +42,8 @@ EyeShift eye_shift_of(const View& centre, const StereoPair& pair, DepthFormat fo
     shift.offset = reversed ? 0 : 1;
     shift.slope = reversed ? 1 : -1;
   } else {
-    // Depths are f/(f - n) (1 - n/z), or with reversed depth n/(f - n) (f/z - 1).
+    // The depth at distance z is f/(f - n) (1 - n/z) for the near plane n and the far plane f, or
+    // with reversed depth n/(f - n) (f/z - 1).
     const double rest = std::isinf(far) ? 1 : (far - near) / far;
     shift.offset = float(reversed ? 1 - rest : 1);
     shift.slope = float(reversed ? rest : -rest);
@@ -52,9 +54,9 @@ EyeShift eye_shift_of(const View& centre, const StereoPair& pair, DepthFormat fo
   return shift;
 }
 
-// A row of the other eye's picture, with room beyond its end.
+// A row of the other eye's picture, with room for one pixel beyond its end.
 struct Row {
-  // `beside` is the colour of a row to which nothing is warped.
+  // Empties the row. `beside` is the colour that it gets if nothing is warped to it.
   EyeTarget cleared(int width, const Rgba8& beside) {
     nearness.assign(std::size_t(width) + 1, 0);
     color.resize(std::size_t(width) + 1);
@@ -74,7 +76,7 @@ void take_nearer(const EyeTarget& behind, int width, const EyeTarget& to) {
   }
 }
 
-// The view with a picture that is extended to the right.
+// The view with its picture extended to the right, up to this width.
 View widened(const View& view, int width) {
   View wide = view;
   const double by = double(view.viewport.width()) / width;
@@ -175,8 +177,10 @@ void SecondEye::begin(const LayerView& first, const View& centre, const StereoPa
                s.rows[std::size_t(y)].cleared(s.width, first.color.at(0, y)));
     return 0;
   });
-  // Surfaces that are nearer than those at the edge move farther, so twice the hole's width is an
-  // estimate. (And one column more, because a pixel between two samples is a mixture of both.)
+  // The next layers are drawn with further columns at the right, because they must fill the hole at
+  // the end of a row. Surfaces that are nearer than those at the edge move farther than the hole is
+  // wide, so twice its width is an estimate. (And one column more, because a pixel between two
+  // samples is a mixture of both.)
   s.extra_columns = 0;
   for (int y = 0; y < s.height; ++y) {
     if (const int hole = s.hole_at_end(y); hole > 0)
@@ -241,11 +245,15 @@ Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings
                 "leave one of the two options out");
   if (layers == 1) return {};
   if (settings.samples > 1)
-    return fail(option, "a sample of a layer has only one depth",
+    return fail(option,
+                "several layers cannot be used with --samples, because each pixel of a layer has "
+                "one depth only",
                 "leave --samples out, or use warp:1");
   if (const Material* glass = transparent_material(scene))
-    return fail(option, "material \"" + printable(glass->name) + "\" is transparent",
-                "use warp:1, which warps it together with the surface behind it");
+    return fail(option,
+                "material \"" + printable(glass->name) +
+                    "\" is transparent, which is possible with one layer only",
+                "use warp:1, which warps the material together with the surface behind it");
   return {};
 }
 

@@ -12,18 +12,18 @@
 namespace glassbox::views {
 
 struct SecondEyeSettings {
-  int layers = 1;   // of the left eye; each takes one more pass of the engine
-  int threads = 1;  // for the warp; the result depends on neither the threads nor the target
+  int layers = 1;   // layers of the left eye; each takes one more pass of the engine
+  int threads = 1;  // for the warp; the result depends neither on their number nor on the target
   Target target = best_target();
   DepthFormat format = DepthFormat::kFloat32;  // the format of the layers' depths
 };
 
 struct LayerView {
   const Image<Rgba8>& color;
-  const Image<std::uint32_t>& depth;  // depth codes
+  const Image<std::uint32_t>& depth;  // as codes of a DepthFormat
 };
 
-// The engine keeps its threads and memory from one picture to the next.
+// Warps pictures to the other eye. It keeps its threads and memory from one picture to the next.
 class SecondEye {
 public:
   SecondEye();
@@ -40,17 +40,17 @@ public:
   std::size_t warp(const LayerView& layer, const View& centre, const StereoPair& pair,
                    const SecondEyeSettings& settings, Image<Rgba8>& into);
 
-  // The same for several layers one after the other: begin() with the first one, then the others,
-  // then the picture.
+  // The same for several layers, one after the other: begin() with the first layer, add() for each
+  // further layer, then finish() for the picture and the number of pixels in holes.
   void begin(const LayerView& first, const View& centre, const StereoPair& pair,
              const SecondEyeSettings& settings);
   void add(const LayerView& layer);
   std::size_t finish(Image<Rgba8>& into);
-  // To be called before another layer is added: finds which surfaces the picture would show that
-  // none of the layers has. `last` has the depth codes of the last layer. `behind` gets for each
-  // pixel the code behind which the next layer's surface has to be, in the form of
-  // EyePicture::behind_depth (disocclusion.h). Layers after the first have more columns at the
-  // right, as many as are missing there. Returns whether any pixel has such a code.
+  // To be called before the next layer is drawn and added: finds where the picture would show a
+  // surface that no layer has yet. `last` has the depth codes of the last layer. For each pixel,
+  // `behind` gets the code behind which the next layer's surface has to be, as for
+  // EyePicture::behind_depth (engine.h). Layers after the first have more columns at the right, as
+  // many as are missing there. Returns whether any pixel has such a code.
   bool find_disoccluded_depths(const Image<std::uint32_t>& last, Image<std::uint32_t>& behind);
 
 private:
@@ -58,8 +58,9 @@ private:
   std::unique_ptr<State> state_;
 };
 
-// Checks the conditions of the warp: a picture of colours, without transparent surfaces, and with
-// more than one layer only one sample per pixel. The error names the condition that is not met.
+// Checks the conditions of the warp: a picture of colours, and for more than one layer neither
+// transparent surfaces nor several samples per pixel. The error names the condition that is not
+// met.
 Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings, int layers);
 
 // A pair like that of Renderer::render_pair, with a right picture that is warped: colours only,

@@ -12,8 +12,9 @@ namespace glassbox::views {
 
 namespace {
 
-// The lower quartile of each run's times: fifteen rounds, or two seconds. The runs take turns, so
-// that other work on the machine disturbs all of them alike.
+// Measures each of `runs` fifteen times, or as often as two seconds allow but at least three times,
+// and returns the lower quartiles of the times. The runs take turns, so that other work on the
+// machine disturbs all of them alike.
 template <std::size_t N>
 std::array<double, N> quartiles_ms(const std::array<std::function<void()>, N>& runs) {
   constexpr std::size_t kMostTimes = 15, kLeastTimes = 3;

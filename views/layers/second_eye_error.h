@@ -5,7 +5,8 @@
 
 namespace glassbox::views {
 
-inline constexpr int kVisibleDifference = 8;  // of a channel, in levels of 0 .. 255
+// The difference of a channel, in levels of 0 .. 255, above which a pixel is wrong.
+inline constexpr int kVisibleDifference = 8;
 
 // The error of a picture compared with the correct one.
 struct EyeError {
@@ -18,11 +19,12 @@ EyeError eye_error(const Image<Rgba8>& picture, const Image<Rgba8>& truth);
 struct SecondEyeError {
   int layers = 1;
   std::size_t pixels = 0;
-  std::size_t holes = 0;  // pixels that were filled from behind
+  std::size_t holes = 0;  // pixels in holes, which were filled with what is behind
   EyeError warped;
-  EyeError left;  // the error of the left eye's picture, taken in place of the right one's
+  // The error of the left eye's picture when it is shown in place of the right eye's.
+  EyeError left;
   Image<Rgba8> drawn, picture, left_picture;  // the right eye drawn and warped, and the left one
-  // Processor time of all threads: lower quartiles of runs that take turns.
+  // Processor time of all threads: lower quartiles of the times of several runs, which take turns.
   double one_eye_ms = 0, both_drawn_ms = 0, both_warped_ms = 0;
 };
 

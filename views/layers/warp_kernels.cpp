@@ -23,7 +23,7 @@ using U = hn::RebindToUnsigned<F>;
 using Floats = hn::Vec<F>;
 constexpr int kMostLanes = 16;
 
-// Samples i .. i + lanes - 1, divided by w.
+// Screen positions of samples i .. i + lanes - 1, after the division by w.
 struct ScreenPoints {
   Floats x, y, z, inverse_w;
   hn::Mask<F> before;  // in front of the eye, and inside the block
@@ -51,7 +51,8 @@ HWY_INLINE ScreenPoints screen_points(const WarpBlock& block, int i) {
           hn::And(hn::Gt(w, hn::Zero(f)), hn::FirstN(f, std::size_t(block.count - i)))};
 }
 
-// Nothing is visible between the eye and the near plane, or beyond the far plane.
+// Whether a sample may be visible: nothing is between the eye and the near plane (depth above 1),
+// or beyond the far plane (depth 0 and below).
 HWY_INLINE hn::Mask<F> is_in_depth(Floats z) {
   const F f;
   return hn::And(hn::Gt(z, hn::Zero(f)), hn::Le(z, hn::Set(f, kNearestDepth)));
@@ -74,7 +75,8 @@ void points(const WarpBlock& block, int margin, const KeyCanvas& canvas, BlockCo
   const auto past_x = hn::Set(f, float(canvas.width + margin)),
              past_y = hn::Set(f, float(canvas.height + margin));
   const auto stride = hn::Set(d, canvas.stride()), origin = hn::Set(d, canvas.stride() + 1);
-  const auto discarded = hn::Set(d, canvas.discard_index());  // avoids a branch
+  // Samples that are not drawn are written here, which avoids a branch.
+  const auto discarded = hn::Set(d, canvas.discard_index());
   HWY_ALIGN std::int32_t place[kMostLanes];
   HWY_ALIGN std::uint32_t depth[kMostLanes];
   for (int i = 0; i < block.count; i += lanes) {
@@ -108,8 +110,9 @@ void boxes(const WarpBlock& block, const SplatSides& sides, int width, int heigh
   const auto past_x = hn::Set(f, float(width)), past_y = hn::Set(f, float(height));
   for (int i = 0; i < block.count; i += lanes) {
     const ScreenPoints at = screen_points(block, i);
-    // One pixel's step along the sample's surface in the first picture, seen in the second picture:
-    // the derivative of X / W is (X' - X / W * W') / W.
+    // What one pixel's step along the sample's surface in the first picture becomes in the second
+    // picture. There, the position is X / W (homogeneous coordinates), whose derivative is (X' - X
+    // / W * W') / W.
     const auto slope_x = hn::LoadU(f, block.slope_x + i), slope_y = hn::LoadU(f, block.slope_y + i);
     const WarpedPoint &right_step = block.right, &down_step = sides.down, &deep = block.depth_step;
     const auto gain = [&](float step, Floats slope, float by_depth) {
@@ -159,8 +162,8 @@ void boxes(const WarpBlock& block, const SplatSides& sides, int width, int heigh
 
 using K = hn::ScalableTag<std::int64_t>;
 
-// Keys are below 2^62, because the bits of a depth below 2 are; so comparing them as signed numbers
-// gives the same order.
+// Keys are below 2^62, because the bits of a float below 2 are a number below 2^30. So a comparison
+// as signed numbers gives the same order.
 HWY_INLINE hn::Vec<K> greater(hn::Vec<K> a, hn::Vec<K> b) {
   return hn::Max(a, b);
 }

@@ -35,7 +35,7 @@ HWY_INLINE ByteVector least_of(ByteVector byte) {
 
 using Words = hn::Repartition<std::uint16_t, Bytes>;
 
-// The number of 1 bits in each byte, from a table for its two halves.
+// The number of 1 bits in each byte, from a table for half a byte (4 bits).
 HWY_INLINE ByteVector bits_of(ByteVector bytes) {
   alignas(16) constexpr std::uint8_t kBits[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
   const Bytes d;
@@ -58,8 +58,9 @@ HWY_INLINE ByteVector least_of(ByteVector bytes) {
 
 #endif
 
-// One block of a path: cost + min(before, before at a neighbouring disparity + p1, least before +
-// jump) - least before.
+// What a path needs for its step from one pixel to the next. The new value is cost + min(before,
+// before at a neighbouring disparity + p1, least before + jump) - least before, where `before` are
+// the values at the previous pixel; from_any is least before + jump, and `base` is least before.
 struct Step {
   ByteVector p1, from_any, base;
 };
@@ -75,8 +76,8 @@ HWY_INLINE ByteVector step(const Step& step, ByteVector cost, ByteVector less, B
   return hn::SaturatedAdd(cost, hn::SaturatedSub(best, step.base));
 }
 
-// Calls one(row, column) for each neighbour of the census window; it returns 0 or 255 in each lane.
-// The column counts from three pixels to the left. x is the pixel of the first lane.
+// Calls one(row, column) for each neighbour in the census window; `one` returns 0 or 255 in each
+// lane. Column 0 is three pixels to the left of the centre. x is the centre of the first lane.
 template <class One>
 HWY_INLINE void neighbours_of(int x, const CensusPointers<std::uint8_t>& out, const One& one) {
   const Bytes d;
@@ -178,7 +179,8 @@ void sweep_right(const ByteRow& row) {
     const Step from_above = step_of(p1, hn::Set(d, row.least_above[x]),
                                     row.jumps[std::abs(grey - int(row.grey_above[x]))]);
     std::uint8_t* above = row.above + std::ptrdiff_t(x) * row.cell;
-    // The values that the last block read before they were overwritten.
+    // The values at the next smaller disparity for each lane: they are read before a block
+    // overwrites them, and used for the block after it.
     auto less_along = hn::LoadU(d, along - 1), less_above = hn::LoadU(d, above - 1);
     least_along = hn::Set(d, kNoMatchCost);
     auto least_above = least_along;

@@ -14,9 +14,9 @@ namespace glassbox::views {
 
 namespace {
 
-// A differing bit of the census word costs 1. Words of unrelated pixels differ by 16 bits, with a
-// deviation of about three, so more bits carry no information. The penalties are those of the other
-// sweeps, in bits.
+// A differing bit of two census words costs 1. Words of unrelated pixels differ in 16 of 32 bits on
+// average, with a standard deviation of about 3, so differences of more than 24 bits need not be
+// told apart. The penalties are those of the other sweeps, where a bit costs 16, divided by 16.
 constexpr int kMostBits = 24;
 constexpr Penalties kPenalties{.p1 = 6, .p2 = 60, .p2_least = 12, .half_at = 10};
 constexpr int kPaths = 3;
@@ -27,7 +27,7 @@ constexpr int kLanes = kByteLanes;
 
 using Line = CacheAlignedVector<std::uint8_t>;
 
-// The memory for sweeping a band of rows, one row after the other.
+// Sweeps a band of rows, one row after the other, with memory for a single row.
 class Band {
 public:
   Band(const ColorPlanes& left, const CensusPlanes& left_words, const CensusPlanes& right_words,
@@ -39,7 +39,8 @@ public:
         kernels_(byte_kernels(settings.target)),
         width_(std::size_t(left.width)),
         stride_((settings.range.count() + kLanes - 1) / kLanes * kLanes),
-        // At disparity number 0, the match of the last pixel is `first` pixels from the last one.
+        // The index, in the reversed right row, of the pixel that the left row's last pixel matches
+        // at disparity number 0: `first` entries after the right row's last pixel.
         origin_(std::max(0, -settings.range.first) + settings.range.first) {
     const auto stride = std::size_t(stride_);
     const auto reversed = width_ + std::size_t(std::abs(settings.range.first)) + stride;
@@ -53,8 +54,8 @@ public:
     std::fill_n(best_mask_.begin() + stride_, 3, kNoMatchCost);
     costs_.resize(width_ * stride);
     sums_.resize(width_ * stride);
-    // A path begins as if it came from zeros; outside of the range of disparities it has
-    // kNoMatchCost.
+    // Before the first row, the path values are 0, so that a path's first value is its cost alone.
+    // Outside of the range of disparities they are kNoMatchCost.
     above_.resize(kLanes + width_ * cell(), kNoMatchCost);
     for (std::size_t x = 0; x < width_; ++x) {
       std::fill_n(above_.begin() + std::ptrdiff_t(kLanes + x * cell()), stride, std::uint8_t(0));
@@ -68,7 +69,7 @@ public:
     std::ranges::copy(jumps, jumps_.begin());
   }
 
-  // For rows above the band, only the paths downwards are needed.
+  // `whole` is false for the rows above the band, where only the paths downwards are needed.
   void sweep(int y, bool begins, bool whole) {
     take_right_row(y);
     const ByteRow row = row_of(y, begins);
@@ -76,7 +77,7 @@ public:
     if (whole) kernels_.sweep_left(row);
   }
 
-  void find_winners(int y, Winners& winners) {
+  void find_winners(int y, DisparityMaps& winners) {
     std::ranges::fill(right_least_, kNoMatchCost);
     kernels_.winners(row_of(y, true), {best_mask_.data(), best_.data(), least_.data(),
                                        second_.data(), right_least_.data() + origin_,
@@ -95,7 +96,7 @@ public:
         winners.confidence.at(x, y) = float(second - least) / float(second);
       }
       const std::uint8_t* sums = sums_.data() + i * std::size_t(stride_) + best;
-      // The sum of a match is never kNoMatchCost.
+      // A sum of kNoMatchCost marks a disparity without a right pixel; all other sums are less.
       const bool inside = settings_.subpixel && best > 0 && best + 1 < settings_.range.count() &&
                           sums[-1] != kNoMatchCost && sums[1] != kNoMatchCost;
       const float part = inside ? corner(sums[-1], least, sums[1]) : 0.0f;
@@ -166,11 +167,11 @@ std::uint64_t bytes_of_byte_band(int width, int stride) {
   return std::uint64_t(width) * std::uint64_t(3 * std::int64_t(stride) + kLanes);
 }
 
-Winners sweep_in_bytes(const ColorPlanes& left, const ColorPlanes& right,
-                       const MatchSettings& settings, CostVolume* kept) {
+DisparityMaps sweep_in_bytes(const ColorPlanes& left, const ColorPlanes& right,
+                             const MatchSettings& settings, CostVolume* kept) {
   const CensusPlanes left_words = darker_neighbours(left, settings.target),
                      right_words = darker_neighbours(right, settings.target);
-  Winners winners = no_winners(left.width, left.height);
+  DisparityMaps winners = no_winners(left.width, left.height);
   tbb::parallel_for(0, int(bands_of(left.height)), [&](int number) {
     const BandRows rows = band_rows(number, left.height);
     Band band(left, left_words, right_words, settings);

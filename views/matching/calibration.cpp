@@ -33,8 +33,9 @@ Result<void> check_calibration(const Calibration& calibration) {
     return fail("--calibration", "the offset is not finite",
                 "give F,B,OFFSET, with 0 for no offset");
   }
-  // A parallax is between 2^-24 px (the smallest part of a pixel) and 2^15 px (the widest picture).
-  // The product divided by it must be a float of full precision.
+  // A parallax (disparity plus offset) is between 2^-24 px (the smallest fraction of a pixel) and
+  // 2^15 px (the widest picture). The depth, focal * baseline divided by the parallax, must be a
+  // float of full precision.
   constexpr double kLeast = 1e-30, kMost = 1e30;
   if (!(focal * baseline >= kLeast && focal * baseline <= kMost)) {
     return fail(

@@ -8,7 +8,7 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr int kAcross = 3, kDown = 2;  // px, half the size of the window
+constexpr int kAcross = 3, kDown = 2;  // px from the window's centre to its edge
 
 // One plane of a picture, with its edge columns repeated outwards.
 class PaddedPlane {
@@ -41,7 +41,7 @@ private:
   CacheAlignedVector<std::uint8_t> bytes_;
 };
 
-// Calls one(y, pointers to its bytes) for each row.
+// Makes planes by calling one(y, out) for each row; `out` points to the row in each of the planes.
 template <class One>
 CensusPlanes planes_of_rows(const ColorPlanes& picture, const One& one) {
   CensusPlanes planes;

@@ -20,7 +20,7 @@ struct ColorPlanes {
 };
 ColorPlanes color_planes(const Image<Rgba8>& image);
 
-// The difference of two pixels in the channel that differs most, in codes.
+// The difference of two pixels in the channel that differs most, in sRGB codes (0 .. 255).
 inline int channel_difference(const ColorPlanes& picture, std::size_t a, std::size_t b) {
   return std::max({std::abs(int(picture.r[a]) - int(picture.r[b])),
                    std::abs(int(picture.g[a]) - int(picture.g[b])),

@@ -11,9 +11,10 @@ namespace glassbox::views {
 namespace {
 
 constexpr int kLong = 17;               // px
-constexpr int kNear = 20, kNearer = 6;  // codes of a channel
+constexpr int kNear = 20, kNearer = 6;  // sRGB codes: greatest differences of a channel
 
-// The length of an arm: pixels from `at` on, `step` apart, at most `most` of them.
+// The length of an arm, at most `most` pixels. It begins beside the pixel `at`, and its pixels are
+// `step` apart.
 std::uint8_t arm(const ColorPlanes& picture, std::size_t at, std::ptrdiff_t step, int most) {
   int length = 0;
   for (auto place = std::ptrdiff_t(at) + step; length < most; place += step, ++length) {
@@ -23,8 +24,8 @@ std::uint8_t arm(const ColorPlanes& picture, std::size_t at, std::ptrdiff_t step
   return std::uint8_t(length);
 }
 
-// Averages one line of the volume, of `length` pixels; cells(i) are the costs of pixel i, and
-// arms(i) is how far its window reaches backwards and forwards.
+// Averages the costs of one row or column of `length` pixels: cells(i) are the costs of pixel i,
+// and reach(i) is how far its window reaches backwards and forwards.
 template <class Cells, class Reach>
 void average_line(int length, int stride, const MatchKernels& kernels,
                   CacheAlignedVector<std::uint32_t>& sums, const Cells& cells, const Reach& reach) {

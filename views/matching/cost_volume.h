@@ -1,4 +1,5 @@
-// A cost for every pixel and disparity: how different the two pixels are.
+// A cost for every pixel of the left picture and every disparity: how different the left pixel is
+// from the right pixel at that disparity.
 #pragma once
 
 #include <algorithm>
@@ -12,16 +13,17 @@
 
 namespace glassbox::views {
 
-// The greatest cost. The sum of sixteen paths of cost and penalty fits 16 bits: 16 (kHighestCost +
-// kHighestPenalty) < 2^16.
+// The greatest cost, and the greatest penalty that a path adds to it. The sum of sixteen paths must
+// fit into 16 bits: 16 (kHighestCost + kHighestPenalty) < 2^16.
 inline constexpr std::uint16_t kHighestCost = 2047;
 inline constexpr std::uint16_t kHighestPenalty = 2047;
-// The cost of the disparities that only pad to whole vectors: above every sum of cost and penalty,
-// so that they never win.
+// The cost in the entries that only pad a pixel's disparities to whole vectors: it is above every
+// sum of a cost and a penalty, so that such an entry is never the least.
 inline constexpr std::uint16_t kNeverCost = 8188;
 inline constexpr int kDisparityLanes = 32;  // 16-bit lanes of the widest instruction set
 
-// An allocator that does not initialise its memory: pages that were never touched cost nothing yet.
+// An allocator that does not initialise its memory: the operating system provides a page of it only
+// when the page is first used.
 template <class T>
 struct UnwrittenAllocator : CacheLineAllocator<T> {
   UnwrittenAllocator() = default;
@@ -43,7 +45,7 @@ struct UnwrittenAllocator : CacheLineAllocator<T> {
 
 struct CostVolume {
   int width = 0, height = 0;  // in px
-  int first = 0;              // the disparity with number 0
+  int first = 0;              // the first disparity, which has the number 0
   int count = 0;              // number of disparities
   int stride = 0;             // count, padded to whole vectors
   std::vector<std::uint16_t, UnwrittenAllocator<std::uint16_t>> costs;

@@ -12,12 +12,13 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr int kBitCost = 16;  // for each bit of a census word
-// For each level of grey: 1530 at most, three quarters of kHighestCost.
+constexpr int kBitCost = 16;  // for each differing bit of two census words
+// For each level of grey by which two pixels differ: at most 1530 in all, three quarters of
+// kHighestCost.
 constexpr int kGreyCost = 6;
 
-// Fills the costs of disparities without a match: outside of the picture, and behind the last
-// disparity.
+// Fills the costs that have no right pixel: kHighestCost where it would be outside of the picture,
+// and kNeverCost behind the last disparity.
 void fill_row(CostVolume& volume, int row) {
   for (int x = 0; x < volume.width; ++x) {
     std::uint16_t* costs = volume.at(x, row);
@@ -28,9 +29,9 @@ void fill_row(CostVolume& volume, int row) {
   }
 }
 
-// Calls one(x, from, to, first_right) for each pixel of a row that has a right pixel for any
-// disparity: at disparity number `from` it is at first_right, and for the following ones to the
-// left of it.
+// Calls one(x, from, to, first_right) for each pixel x of a row that has a right pixel for any
+// disparity. The disparities with the numbers `from` to `to` - 1 have one: at the column
+// first_right for `from`, and one column further to the left for each following number.
 template <class One>
 void for_matches(const CostVolume& volume, const One& one) {
   for (int x = 0; x < volume.width; ++x) {
@@ -52,8 +53,8 @@ CacheAlignedVector<std::uint32_t> words_of(const CensusPlanes& planes, int width
   return words;
 }
 
-// Calls one(left pixel, right pixels by growing disparity, their number, their costs) for each
-// pixel of a row that has a right one.
+// Calls one(left pixel, right pixels by growing disparity, number of right pixels, their costs) for
+// each pixel of a left row that has a right pixel for any disparity.
 template <class Value, class One>
 void for_rows_of_costs(const CacheAlignedVector<Value>& left,
                        const CacheAlignedVector<Value>& right, int y, CostVolume& volume,
@@ -67,7 +68,8 @@ void for_rows_of_costs(const CacheAlignedVector<Value>& left,
   });
 }
 
-// Costs outside of the picture are computed, too, and overwritten afterwards.
+// Computes one row of costs from census words and colours. Costs for right pixels outside of the
+// picture are computed, too, and overwritten afterwards.
 void color_row(const ColorPlanes& left, const ColorPlanes& right, const CensusPlanes& left_bytes,
                const CensusPlanes& left_similar, const CensusPlanes& right_bytes,
                const CensusPlanes& right_similar, const MatchSettings& settings, int y,
@@ -123,10 +125,11 @@ struct Sums {
   std::int64_t left = 0, right = 0, left_left = 0, right_right = 0, left_right = 0, count = 0;
 };
 
-// (1 - correlation) times half the highest cost. For a window without contrast the correlation is
-// undefined: half the highest cost.
+// The cost is (1 - correlation) times half the highest cost. For a window without contrast the
+// correlation is undefined and taken as 0.
 std::uint16_t correlation_cost(const Sums& sums, bool centred) {
-  // Window sums of 8-bit values are at most 225 * 255^2, and the products below are under 2^53.
+  // Sums of products of 8-bit values over a window of at most 225 pixels are at most 225 * 255^2,
+  // and the products of sums below are under 2^53, so doubles hold them exactly.
   const double n = centred ? double(sums.count) : 0;
   const double k = centred ? double(sums.count) : 1;
   const double covariance =
@@ -141,8 +144,8 @@ std::uint16_t correlation_cost(const Sums& sums, bool centred) {
       std::clamp((1 - correlation) * (kHighestCost / 2) + 0.5, 0.0, double(kHighestCost)));
 }
 
-// Both windows are cut off at the edge of either picture. A column's sums are shared by the windows
-// that contain it.
+// The windows in both pictures are cut off where one of them would leave its picture. The sums over
+// a column of the window are computed once, for all windows that contain the column.
 void correlation_row(const ColorPlanes& left, const ColorPlanes& right,
                      const MatchSettings& settings, int y, CostVolume& volume, int to_row) {
   const int radius = settings.window / 2, width = left.width;

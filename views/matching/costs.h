@@ -9,9 +9,9 @@
 
 namespace glassbox::views {
 
-// Costs of single pixels, or for correlation, of its window; windows of the other costs are made by
-// average_costs. If the right pixel would be outside of the picture, the cost is kHighestCost, and
-// the disparity is not considered as winner. The pictures must outlive the object.
+// The costs of single pixels, which average_costs can average over windows, or, for a correlation,
+// the costs of each pixel's window. If the right pixel would be outside of the picture, the cost is
+// kHighestCost, and the disparity cannot be the winner. The pictures must outlive the object.
 class PixelCosts {
 public:
   PixelCosts(const ColorPlanes& left, const ColorPlanes& right, const MatchSettings& settings);

@@ -18,7 +18,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : 100 * double(part) / double(whole);
 }
 
-// The column in the other picture; -1 if there is none.
+// The column of the corresponding pixel in the right picture; -1 if it would be outside.
 int column_of(int x, float disparity, int width) {
   if (!std::isfinite(disparity)) return -1;
   const float place = std::floor(float(x) - disparity + 0.5f);

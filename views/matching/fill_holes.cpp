@@ -26,7 +26,8 @@ int color_difference(const ColorPlanes& picture, std::size_t a, std::size_t b) {
          std::abs(int(picture.b[a]) - int(picture.b[b]));
 }
 
-// The result of the vote in a pixel's cross: the column of the cross, and the rows that cross it.
+// The most frequent disparity, rounded, in the vertical arms of a pixel's cross and the horizontal
+// arms of each pixel there; kNoDisparity if too few pixels agree.
 float vote_in_cross(const Image<Arms>& arms, const Image<float>& disparity,
                     const Image<InvalidReason>& invalid_reasons, int x, int y, int first,
                     std::vector<int>& votes) {
@@ -50,9 +51,9 @@ float vote_in_cross(const Image<Arms>& arms, const Image<float>& disparity,
 
 float fill_from_neighbours(const ColorPlanes& picture, const Image<float>& disparity,
                            const Image<InvalidReason>& invalid_reasons, int x, int y) {
-  float farthest = kNoDisparity, second = kNoDisparity;  // the least disparities found
+  float farthest = kNoDisparity, second = kNoDisparity;  // the two smallest disparities found
   float likest = kNoDisparity;
-  int least = 766;  // more than any difference
+  int least = 766;  // more than any sum of differences of three channels
   const std::size_t own = disparity.index(x, y);
   for (const auto& [dx, dy] : kDirections) {
     int column = x + dx, row = y + dy;

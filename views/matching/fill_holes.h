@@ -9,19 +9,21 @@
 
 namespace glassbox::views {
 
-// The maximum length of an arm: longer ones cost more on a wide blank surface than they improve.
+// The greatest length of an arm of the crosses in which pixels vote: on a wide surface without
+// texture, longer arms would take much more time and improve little.
 inline constexpr int kVoteReach = 17;  // px
 
-// An invalid pixel takes the disparity that most pixels of its cross have, if at least 20 of them
-// have one and two fifths of those agree (Mei et al. 2011). This is done `rounds` times. A pixel
-// that got a disparity is no longer invalid.
+// An invalid pixel takes the whole disparity that is most frequent around it: in the vertical arms
+// of its cross, and in the horizontal arms of each pixel there. At least 20 of these pixels must
+// have a disparity, and at least two fifths of those that have one must agree (Mei et al. 2011).
+// This is done `rounds` times. A pixel that got a disparity is no longer invalid.
 void fill_by_vote(const Image<Arms>& arms, int first, int count, int rounds,
                   Image<float>& disparity, Image<InvalidReason>& invalid_reasons);
 
 // Fills the pixels that are still invalid from the nearest pixels with a disparity in eight
-// directions. An occluded pixel is behind the surface that hides it, so it takes the second
-// smallest disparity found. A mismatched pixel takes the disparity of the pixel whose colour is
-// most similar to its own.
+// directions. A mismatched pixel takes the disparity of the pixel whose colour is most similar to
+// its own. Any other pixel is taken for an occluded one: it is behind the surface that hides it, so
+// it takes a small disparity, the second smallest that was found (Hirschmueller 2008).
 void fill_holes(const ColorPlanes& picture, Image<float>& disparity,
                 const Image<InvalidReason>& invalid_reasons);
 

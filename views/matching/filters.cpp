@@ -21,8 +21,8 @@ int nearest_column(int x, float disparity) {
   return int(std::floor(float(x) - disparity + 0.5f));
 }
 
-// Whether the pixel is occluded or mismatched: mismatched if the disparity of some right pixel of
-// the row points to x.
+// The reason why the left pixel x failed the left-right check: it is mismatched if the disparity of
+// some right pixel leads to it, and else occluded.
 InvalidReason failed_check_of(const std::vector<std::uint8_t>& is_claimed, int x) {
   return is_claimed[std::size_t(x)] ? InvalidReason::kMismatched : InvalidReason::kOccluded;
 }
@@ -115,7 +115,7 @@ void invalidate_empty(const Image<Rgba8>& left, const Image<Rgba8>& right,
   tbb::parallel_for(0, left.height, [&](int y) {
     for (int x = 0; x < left.width; ++x) {
       if (!std::isfinite(disparity.at(x, y))) continue;
-      // A fraction of a pixel can lead at most to the edge.
+      // With its fraction, a disparity can lead to half a pixel outside of the picture at most.
       const int column = std::clamp(nearest_column(x, disparity.at(x, y)), 0, right.width - 1);
       if (left.at(x, y).a == 0 || right.at(column, y).a == 0)
         invalid_reasons.at(x, y) = InvalidReason::kOutside;
@@ -155,8 +155,8 @@ void invalidate_speckles(const Image<float>& disparity, int least,
 
 Image<float> smooth_parts(const Image<float>& disparity, Target target) {
   Image<float> result = disparity;
-  // The difference of two infinite numbers is NaN. Within the loop, a pixel without disparity gets
-  // a value that is far from all others.
+  // The difference of two infinite numbers is NaN. Within the loop, a pixel without disparity has a
+  // finite value that is far from all others.
   constexpr float kFarFromAll = 1e30f;
   Image<float> comparable = disparity;
   for (float& value : comparable.pixels) {

@@ -19,8 +19,8 @@ namespace glassbox::views::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The number of 1 bits in a word, as sums in fields of 2, 4 and 8 bits: older processors have no
-// instruction for it.
+// The number of 1 bits in a word, added up in fields of 2, 4 and 8 bits, because older processors
+// have no instruction that counts them.
 inline std::uint32_t bits_of(std::uint32_t word) {
   word -= (word >> 1) & 0x55555555u;
   word = (word & 0x33333333u) + ((word >> 2) & 0x33333333u);

@@ -1,5 +1,6 @@
-// The inner loops over disparities, compiled once for each instruction set. They use integers, or
-// floats in one written order, so that every target gives the same bytes.
+// The inner loops over disparities, compiled once for each instruction set. They compute with
+// integers, or with floats in exactly the order of operations in the source, so that every
+// instruction set gives the same results.
 #pragma once
 
 #include <cstdint>
@@ -24,22 +25,23 @@ struct MatchKernels {
   void (*mean)(const std::uint32_t* before, const std::uint32_t* after, float inverse, int count,
                std::uint16_t* costs);
 
-  // One row of one direction. For each pixel: values = cost + min(before, before at a neighbouring
-  // disparity + p1, least before + jump) - least before. The values are added to the sums, or, if
-  // begins_sums, stored there. Values of a pixel may be read from -1 to stride.
+  // One row of the paths in one direction. For each pixel and disparity: value = cost + min(before,
+  // before at a neighbouring disparity + p1, least before + jump) - least before, where `before`
+  // are the values at the previous pixel of the path. The values are added to the sums, or, if
+  // begins_sums, stored there. A pixel's values can be read from index -1 to `stride`.
   struct PathRow {
     int width, stride,
-        cell;  // pixels; disparities of a pixel; step from the values of a pixel to the next one's
-    int from;  // the pixel before pixel x is x - from
+        cell;        // in pixels; disparities of a pixel; distance between two pixels' values
+    int from;        // a path comes to pixel x from pixel x - from
     bool leftwards;  // the row's pixels are processed from the last one on
     bool begins_sums;
     std::uint16_t p1;
-    const std::uint16_t* jumps;  // [256], penalties by the change of grey
+    const std::uint16_t* jumps;  // [256], penalty for a jump of disparity, by the change of grey
     const std::uint16_t* costs;
     const std::uint8_t *grey, *grey_before;
     const std::uint16_t *before,
-        *least_before;             // of the row before, or the same one; null if there is none
-    const std::uint16_t* nothing;  // zeros, used before a path's first pixel
+        *least_before;             // of the row that the paths come from; null if there is none
+    const std::uint16_t* nothing;  // zeros, in place of values before a path's first pixel
     std::uint16_t *values, *least;
     std::uint16_t* sums;
   };
@@ -52,7 +54,7 @@ struct MatchKernels {
   void (*keep_less)(const std::uint16_t* values, int count, std::uint16_t* best,
                     std::uint16_t* which, int first_which);
   // Where |values[i] - own[i]| < `near`: sums[i] += values[i] - own[i], counts[i] += 1. The
-  // difference of two infinite numbers is NaN, and does not count.
+  // difference of two infinite numbers is NaN and fulfils no condition.
   void (*add_near)(const float* own, const float* values, int count, float near, float* sums,
                    float* counts);
 };

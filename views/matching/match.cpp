@@ -49,22 +49,22 @@ void average(CostVolume& costs, const Image<Arms>& arms, const MatchSettings& se
   }
 }
 
-Winners winners_of_volume(const ColorPlanes& left, const ColorPlanes& right,
-                          const Image<Arms>& arms, const MatchSettings& settings, Clock& clock,
-                          DenseMatch& match) {
+DisparityMaps winners_of_volume(const ColorPlanes& left, const ColorPlanes& right,
+                                const Image<Arms>& arms, const MatchSettings& settings,
+                                Clock& clock, DenseMatch& match) {
   CostVolume costs = pixel_costs(left, right, settings);
   clock.done("costs");
   average(costs, arms, settings);
   clock.done("averages");
   if (settings.paths == 0) {
-    Winners winners = find_winners(costs, nullptr, settings.subpixel, settings.target);
+    DisparityMaps winners = find_winners(costs, nullptr, settings.subpixel, settings.target);
     clock.done("winners");
     if (settings.keep_sums) match.sums = std::move(costs);
     return winners;
   }
   PathSums sums = sum_paths(costs, left, settings.paths, Penalties{}, settings.target);
   clock.done("paths");
-  Winners winners = find_winners(sums.down, &sums.up, settings.subpixel, settings.target);
+  DisparityMaps winners = find_winners(sums.down, &sums.up, settings.subpixel, settings.target);
   clock.done("winners");
   if (settings.keep_sums) {
     std::ranges::transform(sums.down.costs, sums.up.costs, sums.down.costs.begin(),
@@ -75,7 +75,7 @@ Winners winners_of_volume(const ColorPlanes& left, const ColorPlanes& right,
 }
 
 Image<InvalidReason> find_invalid(const Image<Rgba8>& left, const Image<Rgba8>& right,
-                                  const Winners& winners, const MatchSettings& settings) {
+                                  const DisparityMaps& winners, const MatchSettings& settings) {
   Image<InvalidReason> invalid_reasons(winners.left.width, winners.left.height,
                                        InvalidReason::kNone);
   if (settings.left_right) {
@@ -109,7 +109,7 @@ void run(const Image<Rgba8>& left, const Image<Rgba8>& right, const MatchSetting
     arms = adaptive_arms(left_planes, settings.adaptive > 0 ? kLongestArm : kVoteReach);
   }
   clock.done("crosses");
-  Winners winners;
+  DisparityMaps winners;
   if (fits_bytes(settings)) {
     if (settings.keep_sums)
       match.sums =
@@ -164,8 +164,8 @@ std::uint64_t bytes_of_match(int width, int height, const MatchSettings& setting
       (std::uint64_t(std::int64_t(settings.range.last) - settings.range.first + 1) + lanes - 1) /
       lanes * lanes;
   const std::uint64_t row = std::uint64_t(width) * stride * sizeof(std::uint16_t);
-  // A band has a row of costs, one of sums, and three for each path; for a whole picture the rows
-  // of the paths are negligible.
+  // A band of the single sweep has one row of costs, one row of sums, and three rows of values for
+  // each path. For a whole picture the rows of path values are negligible.
   const std::uint64_t kept = settings.keep_sums ? row * std::uint64_t(height) : 0;
   if (fits_bytes(settings)) return bands_of(height) * bytes_of_byte_band(width, int(stride)) + kept;
   if (sweeps_once(settings)) {
@@ -185,14 +185,17 @@ Result<DenseMatch> match_pictures(const Image<Rgba8>& left, const Image<Rgba8>& 
                 "give two rectified pictures of one size");
   }
   if (left.width < 2 || left.height < 2) {
-    return fail("the pair", fmt::format("the pictures are {} x {}", left.width, left.height),
+    return fail("the pair",
+                fmt::format("the pictures have only {} x {} pixels", left.width, left.height),
                 "give pictures of at least 2 x 2 pixels");
   }
   if (settings.range.first >= left.width || settings.range.last <= -left.width) {
-    return fail("--range",
-                fmt::format("{},{} leads outside of pictures with {} columns", settings.range.first,
-                            settings.range.last, left.width),
-                "give disparities below the width");
+    return fail(
+        "--range",
+        fmt::format(
+            "with disparities from {} to {} no pixel has a partner in pictures with {} columns",
+            settings.range.first, settings.range.last, left.width),
+        "give disparities below the width");
   }
   DenseMatch match;
   match.bytes = bytes_of_match(left.width, left.height, settings);

@@ -13,16 +13,16 @@ namespace glassbox::views {
 
 namespace {
 
-// The step from the pixel before to this one, in a sweep to the right and down; the sweep up takes
-// the opposite steps.
+// The step from a path's previous pixel to the current one, in a sweep downwards. A sweep upwards
+// takes the opposite steps.
 struct Step {
   int x, y;
 };
 constexpr std::array<Step, 8> kSteps{
     {{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, 2}, {-1, 2}, {2, 1}, {-2, 1}}};
 constexpr int kRowsKept = 3;
-// Gap between the values of two pixels, so that the disparities beside the range are never the
-// least.
+// Entries between the values of two pixels, which are always 65535. A step reads the disparities
+// just outside of the range, too, and these must never be the least.
 constexpr int kGap = kDisparityLanes;
 
 // The path values of one direction, for the rows that are still needed.
@@ -48,7 +48,7 @@ private:
 
 struct Sweep {
   const ColorPlanes& picture;
-  std::span<const Step> steps;  // from the pixel before to this one
+  std::span<const Step> steps;  // from a path's previous pixel to the current one
   const std::array<std::uint16_t, 256>& jumps;
   std::uint16_t p1;
   const MatchKernels& kernels;
@@ -62,8 +62,8 @@ public:
         zeros_(std::size_t(stride + 2 * kGap)),
         rows_(sweep.steps.size(), PathRows(sweep.picture.width, stride)) {}
 
-  // Sweeps the picture's row y, whose costs and sums begin at the pointers; `begin` and `end` are
-  // the rows that have been or will be swept.
+  // Computes the paths in the picture's row y, whose costs and sums begin at the pointers. The
+  // sweep covers the rows from `begin` to `end` - 1; no path comes from a row outside.
   void row(int y, int begin, int end, const std::uint16_t* costs, std::uint16_t* sums) {
     for (std::size_t i = 0; i < sweep_.steps.size(); ++i) {
       const Step step = sweep_.steps[i];
@@ -96,7 +96,7 @@ private:
 
   Sweep sweep_;
   int stride_;
-  // A path's first pixel has the cost alone, as if zeros came before it.
+  // The values before a path's first pixel: with zeros there, the first value is the cost alone.
   CacheAlignedVector<std::uint16_t> zeros_;
   std::vector<PathRows> rows_;
 };
@@ -116,7 +116,8 @@ std::vector<Step> opposite(std::span<const Step> steps) {
 }
 
 constexpr int kBandRows = 64;  // px
-// Rows above a band that are swept first; after them the start of the paths has little influence.
+// The number of rows above a band that are swept first. After them it has little influence where
+// the paths began.
 constexpr int kWarmUp = 8;
 
 }  // namespace
@@ -154,13 +155,14 @@ BandRows band_rows(int band, int height) {
   return {std::max(0, begin - kWarmUp), begin, std::min(height, begin + kBandRows)};
 }
 
-Winners sweep_once(const PixelCosts& costs, const ColorPlanes& picture,
-                   const MatchSettings& settings, const Penalties& penalties, CostVolume* kept) {
+DisparityMaps sweep_once(const PixelCosts& costs, const ColorPlanes& picture,
+                         const MatchSettings& settings, const Penalties& penalties,
+                         CostVolume* kept) {
   const auto jumps = jump_penalties(penalties);
   std::vector<Step> steps(kSteps.begin(), kSteps.begin() + settings.paths / 2);
   steps.push_back({-1, 0});
   const Sweep sweep{picture, steps, jumps, penalties.p1, match_kernels(settings.target)};
-  Winners winners = no_winners(picture.width, picture.height);
+  DisparityMaps winners = no_winners(picture.width, picture.height);
   tbb::parallel_for(0, int(bands_of(picture.height)), [&](int band) {
     const auto [first, begin, end] = band_rows(band, picture.height);
     CostVolume one = costs.volume_of(1), sums = costs.volume_of(1);

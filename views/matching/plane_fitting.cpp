@@ -21,19 +21,23 @@ using Eigen::Matrix3f;
 using Eigen::Vector3f;
 
 constexpr int kRadius = 5;  // px
-// px: the largest distance of a winner from a slanted surface's plane.
+// px: a pixel of the window is left out if its disparity is further than this from the plane.
 constexpr float kNearPlane = 1.5f;
-// Pixels of a window that are needed to fit three numbers and an offset.
+// The number of pixels in a window that are needed to fit a plane (three numbers) and a constant
+// difference of grey.
 constexpr int kFewest = 16;
-// Difference of a channel in codes, at which a pixel has half the weight.
+// The difference from the centre in a channel, in sRGB codes (0 .. 255), at which a pixel has half
+// the weight.
 constexpr int kHalfWeightDifference = 10;
 constexpr int kRefits = 2;  // steps of a fit that are tried
 
-// Keeps the fit from moving where there is no contrast: noise of two codes, against a change of
-// half a pixel in c, and of a quarter in a and b.
+// Keeps a fit from changing the plane where there is no contrast. The terms added to the least
+// squares compare noise of two codes of grey with a change of half a pixel in c, and of a quarter
+// in a and b.
 constexpr float kNoise = 2, kOffPlace = 0.5f, kOffSlope = 0.25f;
 
-// The disparity at the pixel itself, and its change for one pixel to the right and one pixel down.
+// c is the disparity at the pixel itself, a is its change for one pixel to the right, and b is its
+// change for one pixel down.
 struct Plane {
   float c = 0, a = 0, b = 0;
   float at(int dx, int dy) const { return c + a * float(dx) + b * float(dy); }
@@ -49,9 +53,9 @@ struct SupportWindow {
 };
 
 struct Fit {
-  // Mean square of the remaining difference, codes.
+  // The mean square of the remaining difference of grey, in codes squared.
   float cost = std::numeric_limits<float>::infinity();
-  Vector3f step = Vector3f::Zero();  // of c, a and b, towards a lower cost
+  Vector3f step = Vector3f::Zero();  // change of c, a and b that lowers the cost
 };
 
 class Fitter {
@@ -60,13 +64,14 @@ public:
          const Image<InvalidReason>& invalid_reasons, const Image<float>& disparity)
       : left_(left), right_(right), invalid_reasons_(invalid_reasons), found_(disparity) {}
 
-  // The first plane, with the slopes of the disparities around the pixel.
+  // The plane to begin with: its slopes are those of the disparities around the pixel.
   Plane first(int x, int y) const {
     Plane plane{found_.at(x, y), 0, 0};
     float xx = 0, yy = 0, xz = 0, yz = 0;
     for_window(x, y, [&](int dx, int dy, std::size_t at) {
       const float rise = found_.pixels[at] - plane.c;
-      // Slopes of at most one pixel per pixel, plus rounding.
+      // Leaves out pixels that are probably on another surface: a slope is at most one px of
+      // disparity per pixel. 0.5 is added for rounding.
       if (std::abs(rise) > float(std::abs(dx) + std::abs(dy)) + 0.5f) return;
       xx += float(dx * dx), yy += float(dy * dy);
       xz += float(dx) * rise, yz += float(dy) * rise;
@@ -87,8 +92,9 @@ public:
     return support;
   }
 
-  // The remaining difference of grey, and the step that reduces it: the step makes r + I' (dc + da
-  // dx + db dy) nearly constant.
+  // The remaining difference of grey, and the step (dc, da, db) that reduces it. With the
+  // difference r of a left pixel's grey from the right picture's and the derivative I' of the right
+  // grey along the row, the step makes r + I' (dc + da dx + db dy) as nearly constant as possible.
   Fit fit(int x, int y, const Plane& plane, const SupportWindow& support) const {
     float weights = 0, sum = 0, squares = 0;
     Vector3f slopes = Vector3f::Zero(), products = Vector3f::Zero();
@@ -128,7 +134,8 @@ private:
     }
   }
 
-  // The grey and its derivative along the row, from Catmull and Rom's cubic through four pixels.
+  // The right picture's grey at a place between two pixels, and its derivative along the row, from
+  // Catmull and Rom's cubic through four pixels.
   std::pair<float, float> sample(int y, float place) const {
     const std::uint8_t* row = right_.grey.data() + std::size_t(y) * std::size_t(right_.width);
     const int from = int(place), last = right_.width - 1;
@@ -147,8 +154,8 @@ private:
 
 constexpr std::array<std::pair<int, int>, 4> kAround{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-// The best plane among the pixel's own, those of its neighbours, and fits that improve the best
-// one.
+// The best of the pixel's own plane, its four neighbours' planes, and the planes that fits make
+// from the best so far.
 Plane best_nearby_plane(const Fitter& fitter, const Image<Plane>& planes,
                         const Image<InvalidReason>& invalid_reasons, float found, int x, int y) {
   Plane best = planes.at(x, y);

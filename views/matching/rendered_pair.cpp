@@ -13,11 +13,12 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr int kContrastAcross = 4, kContrastDown = 3;  // px, of the window
+constexpr int kContrastAcross = 4, kContrastDown = 3;  // px from the window's centre to its edge
 constexpr float kWithinSurface = 1;                    // px of disparity
 constexpr int kContrast = 8;                           // codes of grey
 
-// The contrast among the pixels in one row of the window that belong to the centre's surface.
+// The greatest difference of grey between two pixels in the same row of the window that belong to
+// the centre's surface.
 int contrast_at(const ColorPlanes& planes, const Image<float>& disparity, int x, int y) {
   int contrast = 0;
   for (int row = std::max(y - kContrastDown, 0);

@@ -48,7 +48,9 @@ Result<void> check_settings(const MatchSettings& settings) {
                 "give the least and then the greatest disparity, in pixels");
   }
   if (range.first < -kFarthest || range.last > kFarthest) {
-    return fail("--range", fmt::format("{},{} is larger than any picture", range.first, range.last),
+    return fail("--range",
+                fmt::format("{},{} has disparities that are larger than any picture", range.first,
+                            range.last),
                 fmt::format("give disparities within {} pixels", kFarthest));
   }
   if (settings.window < 1 || settings.window > 15 || settings.window % 2 == 0) {

@@ -32,29 +32,31 @@ inline bool is_correlation(MatchingCost cost) {
 struct MatchSettings {
   DisparityRange range;
   MatchingCost cost = MatchingCost::kAdCensus;
-  // Odd, 1 to 15: costs are averaged over such a square. For NCC and ZNCC it is the correlation's
-  // window.
+  // The size of the square window, odd, 1 to 15 px. Costs are averaged over it, or for NCC and
+  // ZNCC, the correlation is computed over it.
   int window = 1;
-  // How often the costs are averaged over arms that stop where the colour changes (Zhang, Lu and
-  // Lafruit 2009), 0 to 4.
+  // How many times the costs are averaged over crosses whose arms stop where the colour changes
+  // (Zhang, Lu and Lafruit 2009), 0 to 4.
   int adaptive = 0;
-  // The number of directions along which smoothness is summed (Hirschmueller 2008): 2, 4, 8, 16; 0:
-  // the winner of each pixel by itself.
+  // The number of directions of paths along which costs and penalties are summed (Hirschmueller
+  // 2008): 2, 4, 8 or 16. 0: no paths; each pixel takes the disparity of its own least cost.
   int paths = 8;
-  // Uses only the paths that do not come from below, in bands of rows, with very little memory.
-  // Costs that are averaged over pixels need their whole volume, and are summed along all paths.
+  // Uses only the paths that do not come from below, in bands of rows, with very little memory. It
+  // has no effect if costs are averaged over pixels: they need their whole volume, and are summed
+  // along all paths.
   bool single_sweep = false;
   bool subpixel = true;
-  // If left and right disparity differ by more than this, both are invalid; absent: not checked.
+  // A left pixel is invalid if its disparity differs by more than this (px) from that of the right
+  // pixel that it leads to; absent: not checked.
   std::optional<int> left_right = 1;
-  // Least peak ratio: (second - best) / second of the costs, where the neighbours of the best do
-  // not count as second. Below it a pixel is invalid.
+  // The least peak ratio, (second - best) / second, of the least cost and the second least, where
+  // the two neighbours of the least are left out. A pixel with a smaller ratio is invalid.
   float confidence = 0;
-  // Rounds in which slanted planes are fitted to the disparities of the paths: 0 to 8.
+  // The number of rounds in which slanted planes improve the disparities (plane_fitting.h): 0 to 8.
   int planes = 0;
-  int speckle = 0;     // connected pieces of fewer pixels are invalid
-  bool median = true;  // 3x3
-  bool smooth = true;  // subpixel values are averaged where they differ little
+  int speckle = 0;     // connected regions of fewer pixels are invalid
+  bool median = true;  // applies a median filter of 3 x 3
+  bool smooth = true;  // averages disparities that differ by little
   // Before holes are filled, an invalid pixel may take the disparity of the surrounding pixels of
   // similar colour.
   bool vote = true;
@@ -65,13 +67,14 @@ struct MatchSettings {
   int threads = 0;  // at most; 0: as many as the machine has
 };
 
-// Whether the single sweep is possible with these costs.
+// Whether a single sweep is asked for, and possible with these costs.
 inline bool sweeps_once(const MatchSettings& settings) {
   return settings.single_sweep && settings.paths > 0 && settings.adaptive == 0 &&
          (settings.window == 1 || is_correlation(settings.cost));
 }
 
-// "default", "fast", "winner" (each pixel by itself: SAD over a square of 11).
+// The settings with this name: "default", "fast" or "winner" (no paths: each pixel takes the
+// disparity of least SAD over a square of 11 px). None if there is no such name.
 std::optional<MatchSettings> settings_named(std::string_view name);
 
 // An error if the settings are invalid, regardless of the pictures.

@@ -1,4 +1,5 @@
-// The surface that a disparity map shows, in space: a mesh with the picture's colours, as PLY.
+// The surface in space that a disparity map shows: a mesh with the picture's colours, which can be
+// encoded as a PLY file.
 #pragma once
 
 #include <array>
@@ -25,9 +26,10 @@ struct Surface {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise as seen by the camera
 };
 
-// The point of a pixel is ((x - cx) Z/f, -(y - cy) Z/f, -Z), with its centre (x, y) and the left
-// camera's principal point (cx, cy). Neighbours are joined if their disparities differ by at most
-// kSameSurface px: a greater step leads to another surface (C-113).
+// The point of a pixel with the centre (x, y) and the depth Z is ((x - cx) Z/f, -(y - cy) Z/f, -Z),
+// with the focal length f and the left camera's principal point (cx, cy). Neighbouring pixels are
+// joined by triangles if their disparities differ by at most kSameSurface px: a greater step leads
+// to another surface (C-113).
 inline constexpr float kSameSurface = 1;
 Surface surface_of(const Image<Rgba8>& picture, const Image<float>& disparity,
                    const Calibration& calibration);

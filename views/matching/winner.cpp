@@ -12,12 +12,13 @@ namespace {
 
 struct Row {
   CacheAlignedVector<std::uint16_t> costs;  // for one pixel
-  // For the right row in reversed order: the least cost, and the number of its disparity.
+  // For each pixel of the right row, in reversed order: the least cost, and the number of its
+  // disparity.
   CacheAlignedVector<std::uint16_t> right, number;
 };
 
 void left_winner(const CostVolume& volume, const std::uint16_t* costs, int x, int y, bool subpixel,
-                 const MatchKernels& kernels, Winners& winners) {
+                 const MatchKernels& kernels, DisparityMaps& winners) {
   const int from = volume.from(x), to = volume.to(x);
   if (from >= to) return;
   const std::uint16_t least = kernels.least(costs + from, to - from);
@@ -35,7 +36,7 @@ void left_winner(const CostVolume& volume, const std::uint16_t* costs, int x, in
 }  // namespace
 
 void winners_of_row(const CostVolume& volume, const CostVolume* more, int from_row, int y,
-                    bool subpixel, Target target, Winners& winners) {
+                    bool subpixel, Target target, DisparityMaps& winners) {
   thread_local Row row;
   const MatchKernels& kernels = match_kernels(target);
   const int width = volume.width;
@@ -62,13 +63,13 @@ void winners_of_row(const CostVolume& volume, const CostVolume* more, int from_r
   }
 }
 
-Winners no_winners(int width, int height) {
+DisparityMaps no_winners(int width, int height) {
   return {{width, height, kNoDisparity}, {width, height, kNoDisparity}, {width, height, 0}};
 }
 
-Winners find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel,
-                     Target target) {
-  Winners winners = no_winners(costs.width, costs.height);
+DisparityMaps find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel,
+                           Target target) {
+  DisparityMaps winners = no_winners(costs.width, costs.height);
   tbb::parallel_for(0, costs.height,
                     [&](int y) { winners_of_row(costs, more, y, y, subpixel, target, winners); });
   return winners;

@@ -1,4 +1,4 @@
-// Finds the disparity of least cost for every pixel of both pictures.
+// Finds the disparity of least cost (the winner) for every pixel of both pictures.
 #pragma once
 
 #include <algorithm>
@@ -12,32 +12,35 @@
 
 namespace glassbox::views {
 
-// Marks a pixel without disparity, in memory and in files; published pairs mark their truth in the
-// same way (C-114).
+// Marks a pixel without disparity, in memory and in files; published stereo pairs mark unknown
+// disparities in the same way (C-114).
 inline constexpr float kNoDisparity = std::numeric_limits<float>::infinity();
 
-struct Winners {
+struct DisparityMaps {
   Image<float> left;        // px; with a fraction of a pixel if requested
   Image<float> right;       // px, whole numbers
-  Image<float> confidence;  // (second - best) / second, in [0, 1]
+  Image<float> confidence;  // peak ratio (settings.h), in [0, 1]
 };
 
-// The position, in [-1/2, 1/2], at which two lines of opposite slope through the costs of three
-// neighbours meet. Costs that are sums of absolute differences have such a corner at their minimum,
-// and not a parabola.
+// The position of the minimum relative to the least of three neighbouring costs, in [-1/2, 1/2]:
+// where two lines of opposite slope through the three costs meet. Sums of absolute differences have
+// such a corner at their minimum, and not a parabola.
 inline float corner(int before, int least, int behind) {
   const int steep = std::max(before, behind) - least;
   return steep == 0 ? 0.0f : float(before - behind) / float(2 * steep);
 }
 
-// The winners of one volume, or of the sum of two. Disparities whose right pixel is outside of the
-// picture are not considered; a pixel that has no others gets no disparity (C-113).
-Winners find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel, Target target);
+// The winners of one volume, or of the sum of two volumes. Disparities whose right pixel is outside
+// of the picture are not considered; a pixel that has no other disparities gets kNoDisparity
+// (C-113).
+DisparityMaps find_winners(const CostVolume& costs, const CostVolume* more, bool subpixel,
+                           Target target);
 
-// The winners of the pictures' row y only, whose costs are in row `from_row` of the volume;
-// no_winners() makes the result that they are written into.
-Winners no_winners(int width, int height);
+// winners_of_row finds the winners of the pictures' row y only, whose costs are in row `from_row`
+// of the volume. no_winners makes the result that winners_of_row writes into, with no disparity
+// anywhere.
+DisparityMaps no_winners(int width, int height);
 void winners_of_row(const CostVolume& volume, const CostVolume* more, int from_row, int y,
-                    bool subpixel, Target target, Winners& winners);
+                    bool subpixel, Target target, DisparityMaps& winners);
 
 }  // namespace glassbox::views

@@ -14,9 +14,10 @@ bool is_inside(unsigned inside, int corner) {
   return (inside >> corner & 1) != 0;
 }
 
-// For each edge that the surface crosses, the next one around the polygon. On a face, seen from
-// outside of the cell, the border of a stretch of inside corners runs from the edge where the
-// stretch begins to the edge where it ends, with the inside to its right. So the polygon is
+// For each edge of the cell that the surface crosses, the next such edge around the surface's
+// polygon; kNoEdge for all other edges. On a face, seen from outside of the cell, a side of the
+// polygon is the border of a stretch of inside corners. It runs from the edge where the stretch
+// begins to the edge where it ends, with the inside to its right. So the polygon is
 // counter-clockwise when seen from outside of the solid.
 std::array<int, 12> next_edges(unsigned inside, unsigned joined) {
   std::array<int, 12> next;
@@ -34,8 +35,9 @@ std::array<int, 12> next_edges(unsigned inside, unsigned joined) {
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (!enters[i]) continue;
-      // If corners are cut off one by one, the stretch that begins here ends at the next edge. If
-      // they are joined, the line continues where the previous one ended.
+      // If inside corners are cut off one by one, the stretch that begins at this edge ends at the
+      // next edge that is crossed. If they are joined, the polygon's side goes around the outside
+      // corner before this edge instead, and ends at the previous edge that is crossed.
       const bool is_joined = count == 4 && (joined >> face & 1) != 0;
       const std::size_t end = is_joined ? (i + count - 1) % count : (i + 1) % count;
       next[std::size_t(crossed[i])] = crossed[end];
@@ -62,8 +64,8 @@ std::vector<Loop> loops_of(std::array<int, 12> next) {
 
 using Triangles = std::vector<CellTriangle>;
 
-// Triangles for the part of a loop from corner i to corner j, cut by diagonals that never have both
-// ends on one face of the cell; none if this is impossible.
+// Divides the part of a loop from corner i to corner j into triangles, by diagonals that never have
+// both ends on one face of the cell; none if this is impossible.
 std::optional<Triangles> triangulate_loop(const Loop& loop, std::size_t i, std::size_t j) {
   if (j - i < 2) return Triangles();
   for (std::size_t k = i + 1; k < j; ++k) {

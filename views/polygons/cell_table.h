@@ -14,8 +14,8 @@
 
 namespace glassbox::views {
 
-// A corner of the surface has the number of the cell's edge that it is on; kCellMiddle is inside
-// the cell.
+// A triangle's corner is given by the number of the cell's edge that it is on, or by kCellMiddle if
+// it is inside the cell.
 inline constexpr int kCellMiddle = 12;
 using CellTriangle = std::array<std::uint8_t, 3>;
 
@@ -37,9 +37,10 @@ using CellTable = std::array<CellSurface, 256>;
 // face that they share. No case needs a corner in the middle.
 const CellTable& consistent_table();
 
-// The fifteen cases of Lorensen and Cline (1987): cells with more than four inside corners have the
-// triangles of the opposite case with reversed winding, and therefore the opposite rule on their
-// faces. For teaching only: next to a cell with few inside corners this leaves a hole (C-95).
+// The fifteen cases of Lorensen and Cline (1987): a cell with more than four inside corners has the
+// triangles of the cell with inside and outside exchanged, with reversed winding, and therefore the
+// opposite rule on its faces. For teaching only: next to a cell with few inside corners this leaves
+// a hole (C-95).
 const CellTable& naive_table();
 
 // The ambiguous faces of a cell, one bit each.

@@ -25,8 +25,8 @@ Rgba8 mean_of(const PolygonObservation& seen) {
   return {mean(0), mean(1), mean(2), 255};
 }
 
-// The full corner of a polygon's cell that is nearest to the polygon's middle; of equally near ones
-// the first.
+// The voxel behind a polygon: among the full voxels at the corners of the polygon's cell, the one
+// whose centre is nearest to the polygon's middle; of equally near ones the first.
 VoxelPosition voxel_behind(const EditableSurface& surface, const WorldPolygon& polygon) {
   const CellPosition cell = surface.cell_of(polygon.id);
   const Vector3d middle = (polygon.corners[0] + polygon.corners[1] + polygon.corners[2]) / 3;
@@ -44,7 +44,7 @@ VoxelPosition voxel_behind(const EditableSurface& surface, const WorldPolygon& p
   return nearest;
 }
 
-// Whether any picture has background at the pixel of a place.
+// Whether any picture has background at the pixel that shows this point of the world.
 bool is_outside_object(const PictureSet& set, const Vector3d& world) {
   return std::ranges::any_of(set.pictures, [&](const CalibratedPicture& picture) {
     if (picture.matte.pixels.empty()) return false;
@@ -56,18 +56,19 @@ bool is_outside_object(const PictureSet& set, const Vector3d& world) {
   });
 }
 
-// The part of the pixels' colours that a set of polygons does not explain.
+// How much of the pixels' colours a set of polygons leaves unexplained.
 struct Residual {
-  // Levels^2: squared distances from each polygon's mean, and kMismatchPenalty for a pixel that
-  // shows a polygon but has background, or the other way round.
+  // In squared levels: the squared distances of the pixels from their polygon's mean colour, and
+  // kMismatchPenalty for each pixel that shows a polygon but has background, or the other way
+  // round.
   double squares = 0;
-  std::int64_t polygons = 0;  // that are seen
+  std::int64_t polygons = 0;  // polygons that are seen
   std::int64_t pixels = 0;
 
-  // Each seen polygon has its own colour, which is three free numbers, so more polygons always
-  // leave a smaller rest. By the Bayesian information criterion (Schwarz 1978) each number has to
-  // reduce it by the logarithm of the number of pixels, in units of the variance that one colour
-  // may have.
+  // Each seen polygon has its own colour, which is three free numbers, so with more polygons
+  // `squares` is always smaller. By the Bayesian information criterion (Schwarz 1978) each free
+  // number has to reduce it by the logarithm of the number of pixels, in units of the variance that
+  // one colour may have.
   double with_cost(std::int64_t of_pixels, double variance) const {
     return squares + 3 * double(polygons) * logarithm(double(of_pixels)) * variance;
   }
@@ -76,8 +77,8 @@ struct Residual {
 // three channels.
 constexpr double kMismatchPenalty = 3 * 255.0 * 255.0 / 6;
 
-// Tests whether the pictures are explained better without a voxel: by the polygons that replace its
-// own, and those behind it.
+// Tests whether the pictures are explained better without a voxel: by the polygons that then
+// replace the voxel's polygons, and by polygons behind it.
 class TrialCarving {
 public:
   TrialCarving(const PictureSet& set, EditableSurface& surface, double threshold)
@@ -95,8 +96,8 @@ public:
     without.squares += kMismatchPenalty * double(uncovered_by(own));
     surface_.set_voxel(voxel, true);
     const Residual with = residual_of(asked);
-    // Both surfaces explain the same pixels, except for some at edges that two polygons have or
-    // none.
+    // The surfaces with and without the voxel show the same pixels, except for some at the edges of
+    // polygons, which two polygons show or none. The larger number is used for both surfaces.
     const std::int64_t pixels = std::max({with.pixels, without.pixels, std::int64_t(1)});
     if (!(without.with_cost(pixels, variance_) < with.with_cost(pixels, variance_))) return {};
     return surface_.set_voxel(voxel, false);
@@ -124,7 +125,7 @@ private:
     return sum;
   }
 
-  // Counts pixels of the object that show no polygon where these polygons were.
+  // Counts the pixels of the object that show no polygon any more at the places of these polygons.
   std::int64_t uncovered_by(const std::vector<WorldPolygon>& polygons) const {
     std::int64_t uncovered = 0;
     for (std::size_t i = 0; i < set_.pictures.size(); ++i) {
@@ -166,8 +167,9 @@ public:
       const WorldPolygon polygon = surface_.polygon(id);
       const PolygonObservation seen = observe_polygon(set_, surface_, polygon);
       const VoxelPosition behind = voxel_behind(surface_, polygon);
-      // A polygon is half a voxel in front of the middle of the voxel behind it. That it is outside
-      // of the object's outline does not yet mean that the voxel is.
+      // A polygon is half a voxel in front of the middle of the voxel behind it. So the polygon may
+      // be outside of the object's outline although the voxel is not; therefore the voxel's middle
+      // is tested.
       const bool is_beside = seen.background > 0 &&
                              is_outside_object(set_, surface_.occupancy().grid().centre(behind));
       // One picture alone cannot show that colours are inconsistent.
@@ -198,8 +200,8 @@ private:
   std::unordered_set<PolygonId> is_waiting_;
 };
 
-// Polygons that no picture sees take the mean of their coloured neighbours; then the next ones take
-// theirs.
+// Gives each polygon that no picture sees the mean colour of its coloured neighbours, and repeats
+// this for the polygons next to them.
 void color_unseen(const PolygonMesh& mesh, std::vector<PolygonColor>& colors) {
   std::unordered_map<std::uint64_t, std::array<std::uint32_t, 2>> beside;
   beside.reserve(3 * mesh.polygons.size() / 2);
@@ -242,7 +244,7 @@ void color_unseen(const PolygonMesh& mesh, std::vector<PolygonColor>& colors) {
       const auto mean = [&](int c) { return std::uint8_t(sum[c] / count); };
       found.emplace_back(i, Rgba8{mean(0), mean(1), mean(2), 255});
     }
-    if (found.empty()) break;  // a piece of which nothing is seen stays grey
+    if (found.empty()) break;  // a connected surface of which nothing is seen stays grey
     for (const auto& [i, color] : found) {
       colors[i].color = color;
       has_color[i] = true;
@@ -259,10 +261,10 @@ double polygon_bytes(const VoxelGrid& grid, double polygons) {
   const auto [nx, ny, nz] = grid.count;
   const double voxels = 2 * Occupancy::bytes_for(grid) + double(grid.voxels()) * sizeof(double) +
                         double(nx + 2) * (ny + 2) * 2 * 7 * sizeof(std::uint32_t);
-  // A closed surface has half as many corners as polygons. Both grow while they are found, to at
-  // most twice the memory. Then there are the colours, and three sides for two polygons, each in a
-  // node of a hash table with a bucket that points to it (color_unseen). The queue of polygons to
-  // be examined is gone by then, and was smaller.
+  // A closed surface has half as many corners as polygons. The arrays of both grow while they are
+  // filled, to at most twice the memory. Then there are the colours, and three sides for every two
+  // polygons, each in a node of a hash table with a bucket that points to it (color_unseen). The
+  // queue of polygons to be examined no longer exists then, and was smaller.
   constexpr double kMesh =
       2 * (sizeof(Vector3d) / 2.0 + sizeof(PolygonCorners)) + sizeof(PolygonColor);
   constexpr double kSides = 1.5 * (32 + 2 * sizeof(void*));
@@ -322,7 +324,7 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
                                        const PolygonColoringSettings& settings) {
   if (EditableSurface::is_too_large(occupancy.grid())) {
     return fail("--resolution",
-                fmt::format("{} voxels have more cells than there are numbers for polygons",
+                fmt::format("{} voxels may have more polygons than 32 bits can number",
                             occupancy.grid().voxels()),
                 "ask for larger voxels");
   }
@@ -333,9 +335,10 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
   const std::int64_t polygons = EditableSurface::count_polygons(occupancy);
   const double bytes = polygon_bytes(occupancy.grid(), double(polygons));
   const auto refused = [&](const std::string& what) {
-    return fail("--max-mb",
-                fmt::format("{} polygons{} need more memory than the limit", polygons, what),
-                "use larger voxels or smaller pictures, or allow more memory");
+    return fail(
+        "--max-mb",
+        fmt::format("{} polygons{} need more memory than this option allows", polygons, what),
+        "use larger voxels or smaller pictures, or allow more memory");
   };
   if (bytes > settings.most_bytes) return refused("");
   const auto start = std::chrono::steady_clock::now();
@@ -350,7 +353,8 @@ Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& o
   result.full = surface.occupancy().full();
   for (const IdLayers& layers : surface.layers()) result.samples += layers.sample_count();
   const Occupancy& solid = surface.occupancy();
-  // The cells are the same in the same order, so polygon i of the mesh is the i-th of the surface.
+  // polygonise() visits the same cells in the same order, so polygon i of the mesh is the i-th of
+  // the surface.
   result.mesh = polygonise(settings.is_smooth ? solid.smooth_field() : solid.field(), 0.5,
                            Polygoniser::kConsistent);
   result.colors.reserve(result.mesh.polygons.size());

@@ -15,26 +15,29 @@ namespace glassbox::views {
 
 // The pixels of the pictures that show a polygon.
 struct PolygonObservation {
-  std::int64_t pixels = 0;      // that belong to the object
-  std::int64_t background = 0;  // that are background
+  std::int64_t pixels = 0;      // pixels that belong to the object
+  std::int64_t background = 0;  // pixels that are background
   int views = 0;                // pictures with at least one pixel of the object
   std::array<std::int64_t, 3> sums{}, squares{};
 
   // Sum of the squared distances of the pixels from their mean, levels^2.
   double residual() const;
-  double deviation() const;  // pooled over the channels, levels; 0 for fewer than two pixels
+  // Standard deviation, pooled over the channels, in levels; 0 for fewer than two pixels.
+  double deviation() const;
 };
 
 PolygonObservation observe_polygon(const PictureSet& set, const EditableSurface& surface,
                                    const WorldPolygon& polygon);
 
 struct PolygonColoringSettings {
-  // If the deviation is larger, the voxel behind the polygon is carved if the pictures are
-  // explained better without it; infinite: no voxel is. Where a picture shows background, the voxel
-  // is carved if its middle is outside of the object in one of the pictures.
+  // The largest deviation of a polygon's colours, in levels. If it is larger, the voxel behind the
+  // polygon is carved if the pictures are explained better without it; if the threshold is
+  // infinite, no voxel is carved for its colours. Where a picture shows background, the voxel is
+  // carved if its middle is outside of the object in one of the pictures.
   double threshold = 60;
   bool carves = true;
-  // Corners are where the neighbourhood is half full, instead of half way along their edges.
+  // Whether the surface's corners are where the neighbourhood is half full of voxels, instead of
+  // half way along the lattice's edges.
   bool is_smooth = true;
   int threads = 0;
   // Limit for the sum of polygon_bytes and layer_bytes.
@@ -43,34 +46,34 @@ struct PolygonColoringSettings {
 
 // Bytes that color_polygons needs for a grid's voxels and for this many polygons.
 double polygon_bytes(const VoxelGrid& grid, double polygons);
-// Bytes that it needs for the pictures: layered images in which every pixel of the object shows one
-// or two polygons.
+// Bytes that color_polygons needs for the pictures: layered images in which every pixel of the
+// object shows one or two polygons.
 double layer_bytes(const PictureSet& set);
 
 struct PolygonColor {
   Rgba8 color;
-  std::uint16_t views = 0;  // 0: seen by no picture; the colour is that of its neighbours
-  float deviation = 0;      // levels
+  std::uint16_t views = 0;  // pictures that see it; 0: the colour is that of its neighbours
+  float deviation = 0;      // standard deviation of the pixels' colours, in levels
 };
 
 struct PolygonColoring {
   VoxelGrid grid;
-  Occupancy solid{VoxelGrid{}};  // the voxels that are left
+  Occupancy solid{VoxelGrid{}};  // the voxels that are left after carving
   PolygonMesh mesh;              // in lattice coordinates of the voxels' centres
   std::vector<PolygonColor> colors;
-  std::int64_t full_before = 0, full = 0;  // voxels
+  std::int64_t full_before = 0, full = 0;  // full voxels, before and after carving
   std::int64_t carved_by_color = 0, carved_by_background = 0;
   // How often a voxel was kept because the colours were not explained better without it.
   std::int64_t kept = 0;
   std::int64_t examined = 0;  // polygons that were examined, with repetitions
-  std::int64_t samples = 0;   // of the layered images at the end
+  std::int64_t samples = 0;   // samples of the layered images at the end
   std::int64_t unseen = 0;    // polygons that no picture shows at a pixel's centre
   double milliseconds = 0;
 };
 
-// Refused: more cells than there are numbers for polygons, no voxel at all, and more memory than
-// the settings allow. That is checked for the polygons before any is made, and for the samples of
-// the layered images while they are added.
+// An error for more cells than there are numbers for polygons, for no voxel at all, and for more
+// memory than the settings allow. The memory is checked for the polygons before any is made, and
+// for the samples of the layered images while they are added.
 Result<PolygonColoring> color_polygons(const PictureSet& set, const Occupancy& occupancy,
                                        const PolygonColoringSettings& settings);
 

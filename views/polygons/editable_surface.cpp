@@ -35,7 +35,8 @@ EditableSurface::EditableSurface(const PictureSet& set, const Occupancy& occupan
   for (const CalibratedPicture& picture : set.pictures)
     layers_.emplace_back(picture.color.width, picture.color.height);
   const std::vector<PolygonId> all = polygons();
-  // Adds some at a time; after each group the memory of all pictures' layers is checked.
+  // Adds kAtOnce polygons at a time; after each group the memory of all pictures' layers is
+  // checked.
   constexpr std::size_t kAtOnce = 4096;
   for (std::size_t first = 0; first < all.size() && layer_bytes() <= most_bytes; first += kAtOnce) {
     std::vector<WorldPolygon> some;

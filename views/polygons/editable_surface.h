@@ -31,9 +31,10 @@ class EditableSurface {
 public:
   static constexpr int kMaxPolygonsPerCell = 8;
 
-  // The surface is half way between full and empty voxels. The pictures must outlive it. `threads`:
-  // 0: all; the result does not depend on it. If the layered images need more than `most_bytes`, no
-  // more polygons are added, and the object may only be destroyed.
+  // The surface is half way between full and empty voxels. The pictures must outlive this object.
+  // `threads` is the number of threads, 0 for as many as the machine has; the result does not
+  // depend on it. If the layered images need more than `most_bytes`, no more polygons are added,
+  // and the object may only be destroyed.
   EditableSurface(const PictureSet& set, const Occupancy& occupancy, int threads = 0,
                   double most_bytes = std::numeric_limits<double>::infinity());
 

@@ -8,15 +8,16 @@ namespace glassbox::views {
 namespace {
 
 constexpr double kSubpixels = 256;
-constexpr double kFarthest =
-    0x1p15;  // px: products of differences of snapped corners stay below 2^49
+// px; for snapped corners within this distance, differences of two products of differences of
+// coordinates (in 1/256 px) stay below 2^49.
+constexpr double kFarthest = 0x1p15;
 
 std::int64_t snapped(double pixels) {
   return std::int64_t(std::floor(pixels * kSubpixels + 0.5));
 }
 
-// first_centre(): the first pixel whose centre is at or after this coordinate. end_centre(): one
-// after the last pixel whose centre is at or before it.
+// For a coordinate in 1/256 px: first_centre() is the first pixel whose centre is at or after it,
+// end_centre() is one after the last pixel whose centre is at or before it.
 int first_centre(std::int64_t subpixels) {
   return int((subpixels + 127) >> 8);
 }
@@ -24,9 +25,9 @@ int end_centre(std::int64_t subpixels) {
   return int((subpixels - 128) >> 8) + 1;
 }
 
-// Centres on a left or a top side belong to the triangle. y grows downwards, and the inside is to
-// the right of a side that runs from (0, 0) to (dx, dy): a left side goes up, a top side to the
-// right.
+// Whether the pixel centres on a side belong to the triangle: on a left or a top side they do. y
+// grows downwards, and the inside is to the right of a side that runs from (0, 0) to (dx, dy): a
+// left side goes up, a top side to the right.
 bool owns_its_centres(std::int64_t dx, std::int64_t dy) {
   return dy < 0 || (dy == 0 && dx > 0);
 }

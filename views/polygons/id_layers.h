@@ -21,7 +21,7 @@ struct IdSample {
   friend auto operator<=>(const IdSample&, const IdSample&) = default;
 };
 
-// Nearest first; of equally near ones the lower id first.
+// The samples of a pixel, nearest first; of equally near ones the lower id first.
 using IdSamples = std::vector<IdSample>;
 
 using Corners3d = std::array<Vector3d, 3>;
@@ -37,8 +37,8 @@ struct IdPixel {
 // triangle, so it is the same each time it is computed.
 class PolygonFootprint {
 public:
-  // Empty for a triangle that is turned away from the camera, not entirely in front of it, or
-  // beyond 2^15 px.
+  // The footprint is empty for a triangle that is turned away from the camera, not entirely in
+  // front of it, or beyond 2^15 px.
   PolygonFootprint(const PinholeCamera& camera, int width, int height, const Corners3d& corners);
 
   template <typename Visit>  // visit(IdPixel, float distance)

@@ -11,8 +11,8 @@ namespace glassbox::views {
 
 namespace {
 
-// A side of a triangle: its ends in ascending order, and whether the triangle runs along it in this
-// direction.
+// A side of a triangle: its two corners in ascending order, and whether the triangle runs along it
+// from the lower to the higher one.
 struct Side {
   std::uint32_t low, high;
   bool forward;
@@ -29,8 +29,8 @@ std::int64_t duplicates_of(const std::vector<Vector3d>& positions) {
   return duplicates;
 }
 
-// Counts corners whose triangles are not a single ring. Around a corner, each triangle leads from
-// its next corner to its last one.
+// Counts corners around which the triangles do not form a single ring. In the ring around a corner,
+// each triangle leads from its next corner to its last one, where another triangle begins.
 std::int64_t pinched_of(const PolygonMesh& mesh) {
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> around(mesh.positions.size());
   for (const PolygonCorners& p : mesh.polygons) {

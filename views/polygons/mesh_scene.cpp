@@ -25,7 +25,8 @@ void add_number(std::string& text, std::uint32_t value) {
 
 // Corners of the surface are at least kLeastStep of a voxel away from the lattice's corners, so two
 // corners that are near the same lattice corner are at least that far apart along an axis. Floats
-// whose step is a fourth of that keep them apart, in whatever direction they are rounded.
+// keep them apart, in whatever direction they are rounded, if the distance between neighbouring
+// floats is less than a fourth of that.
 Result<void> check_floats(const VoxelGrid& grid) {
   double farthest = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -35,8 +36,8 @@ Result<void> check_floats(const VoxelGrid& grid) {
   }
   if (farthest * 0x1p-23 < grid.size * kLeastStep / 4) return {};
   return fail("--box",
-              fmt::format("voxels of size {:.3g} are {:.3g} from the origin: the file's floats "
-                          "cannot distinguish their corners",
+              fmt::format("voxels of size {:.3g} are {:.3g} from the origin, so far that the "
+                          "floats in the file cannot distinguish their corners",
                           grid.size, farthest),
               "use larger voxels, or a world whose origin is near the object");
 }

@@ -52,7 +52,8 @@ ScalarField Occupancy::smooth_field() const {
             for (int i = -1; i <= 1; ++i) full += has({x + i, y + j, z + k});
           }
         }
-        // The level is at 13.5 of 27 voxels, so no share is exactly at it.
+        // The surface is at the level 1/2, which is 13.5 of 27 voxels, so no fraction is exactly at
+        // it.
         const double share = full / 27.0;
         field.at(x, y, z) =
             has({x, y, z}) ? std::max(share, 14 / 27.0) : std::min(share, 13 / 27.0);

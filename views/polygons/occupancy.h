@@ -1,4 +1,4 @@
-// Which voxels are full, with one bit for each.
+// Stores which voxels are full, with one bit for each.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +28,10 @@ public:
   void fill(std::span<const VoxelRun> runs, std::span<const Verdict> verdicts);
   std::int64_t full() const;
 
-  // 1 and 0 at the voxels' centres: corner (x, y, z) of the lattice is the centre of that voxel.
+  // 1 for full and 0 for empty voxels: corner (x, y, z) of the lattice is the centre of that voxel.
   ScalarField field() const;
-  // At each voxel's centre the share of full voxels among the 27 around it, kept on the voxel's own
-  // side of 1/2: the surface has the same polygons, at smoother positions.
+  // At each voxel's centre the fraction of full voxels among the 27 around it, kept on the voxel's
+  // own side of 1/2: the surface has the same polygons as with field(), at smoother positions.
   ScalarField smooth_field() const;
 
   static double bytes_for(const VoxelGrid& grid) { return double(grid.voxels()) / 8; }

@@ -11,8 +11,8 @@ namespace {
 constexpr std::uint32_t kNoCorner = 0xffffffffu;
 
 // The surface's corners on edges that begin in one of two layers of the lattice. An edge leads from
-// its lower end along one of seven directions, whose three bits are the steps along x, y and z;
-// cubes only have the directions 1, 2 and 4.
+// its lower end along one of seven directions, whose three bits are the steps along x, y and z.
+// Cubes only have the directions 1, 2 and 4; the others are diagonals, which tetrahedra have.
 class EdgeCorners {
 public:
   EdgeCorners(int width, int height)
@@ -33,7 +33,7 @@ private:
 
 class LatticeWalk {
 public:
-  // Without a table, `polygoniser` decides.
+  // The triangles of a cell come from `table`; without a table, `polygoniser` decides.
   LatticeWalk(const ScalarField& field, double level, Polygoniser polygoniser,
               const CellTable* table = nullptr)
       : field_(field),
@@ -83,10 +83,11 @@ private:
     }
   }
 
-  // Faces on which the inside is joined: those where the bilinear function is inside at its saddle
-  // point. Both cells of a face have the same four numbers, in two orders; neither the sums nor the
-  // products depend on the order. f(s) = (p q - r t) / (p + q - r - t), with p, q on one diagonal
-  // and r, t on the other, and the level subtracted from all of them.
+  // The ambiguous faces on which the inside corners are joined: those where the bilinear function f
+  // is inside at its saddle point s. f(s) = (p q - r t) / (p + q - r - t), where p and q are the
+  // values on one diagonal of the face, r and t those on the other, and the level is subtracted
+  // from all of them. The two cells of a face have its four values in two orders; neither the sums
+  // nor the products depend on the order.
   unsigned joined_faces(const std::array<double, 8>& values, unsigned inside) const {
     const unsigned ambiguous = ambiguous_faces(inside);
     unsigned joined = 0;
@@ -170,8 +171,8 @@ private:
     const auto on = [&](int a, int b) {
       return corner_on(cell, values, std::min(a, b), std::max(a, b));
     };
-    // Whether the order (inside corners, then outside corners) is an even permutation of the
-    // tetrahedron's corners.
+    // The winding of the triangles depends on whether the order (inside corners, then outside
+    // corners) is an even permutation of the tetrahedron's corners.
     std::array<int, 4> order{};
     std::copy_n(in.begin(), ins, order.begin());
     std::copy_n(out.begin(), outs, order.begin() + std::ptrdiff_t(ins));
@@ -214,7 +215,7 @@ std::string_view name_of(Polygoniser polygoniser) {
 }
 
 double crossing(double from, double to, double level) {
-  // Outside of the lattice there is no value to interpolate with.
+  // Outside of the lattice there is no value to interpolate with, so the surface is half way.
   if (std::isinf(from) || std::isinf(to)) return 0.5;
   return std::clamp((level - from) / (to - from), kLeastStep, 1 - kLeastStep);
 }

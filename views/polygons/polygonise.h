@@ -21,7 +21,7 @@
 namespace glassbox::views {
 
 enum class Polygoniser {
-  kConsistent,  // the table of 256 cases with one rule for faces
+  kConsistent,  // the table of 256 cases with one rule for all ambiguous faces
   kNaive,       // the table of fifteen cases, which leaves holes
   // Ambiguous faces are decided by the bilinear function on them (Nielson and Hamann 1991).
   kSaddle,
@@ -29,7 +29,7 @@ enum class Polygoniser {
 };
 std::string_view name_of(Polygoniser polygoniser);
 
-inline constexpr double kLeastStep = 0x1p-10;  // as a share of an edge
+inline constexpr double kLeastStep = 0x1p-10;  // as a fraction of an edge
 
 using PolygonCorners = std::array<std::uint32_t, 3>;
 
@@ -43,11 +43,11 @@ struct PolygonMesh {
 // layer of the lattice, plus the result.
 PolygonMesh polygonise(const ScalarField& field, double level, Polygoniser polygoniser);
 
-// The same with any table, to try out other tables.
+// polygonise() with any table, to try out other tables.
 PolygonMesh polygonise_with(const CellTable& table, const ScalarField& field, double level);
 
-// The position of the surface on an edge, as a share of the edge from the end with the value
-// `from`: one of the values is at least the level.
+// The position of the surface on an edge, as a fraction of the edge from the end with the value
+// `from`. One of the two values is at least the level, the other is below it.
 double crossing(double from, double to, double level);
 
 }  // namespace glassbox::views

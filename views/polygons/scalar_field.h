@@ -11,7 +11,7 @@ namespace glassbox::views {
 
 struct ScalarField {
   std::array<int, 3> count{0, 0, 0};  // corners along x, y, z
-  std::vector<double> values;         // x first
+  std::vector<double> values;         // x changes fastest
 
   ScalarField(int nx, int ny, int nz, double value = 0)
       : count{nx, ny, nz}, values(std::size_t(nx) * std::size_t(ny) * std::size_t(nz), value) {}

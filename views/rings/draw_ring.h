@@ -13,8 +13,8 @@
 
 namespace glassbox::views {
 
-// Which pixels belong to the matte: those whose centre shows a surface (depth), those of whose
-// samples at least half do (alpha), or no matte at all.
+// Which pixels belong to the matte, the mask of the object. kDepth: those whose centre shows a
+// surface; kAlpha: those in which at least half of the samples show one; kNone: there is no matte.
 enum class Matte { kDepth, kAlpha, kNone };
 
 // Draws one picture after the other and passes each to `take`; an error from `take` ends the
@@ -25,7 +25,7 @@ Result<void> draw_each(const Scene& scene, const std::vector<RingView>& ring,
                        const std::function<Result<void>(CalibratedPicture)>& take,
                        const std::function<void(const std::string&)>& report_progress = {});
 
-// All pictures of the ring, together with the scene's box.
+// Draws all pictures of the ring; the set also has the scene's box.
 PictureSet draw_ring(const Scene& scene, const std::vector<RingView>& ring,
                      const RenderSettings& settings, Matte matte);
 

@@ -51,9 +51,11 @@ Result<fs::path> camera_file_in(const fs::path& folder) {
   }
   if (found.size() == 1) return found.front();
   if (found.size() > 1) {
-    return tl::unexpected(Error{folder.string(), "",
-                                fmt::format("has {} files *_par.txt", found.size()),
-                                "name the file that is to be read"});
+    return tl::unexpected(Error{
+        folder.string(), "",
+        fmt::format("has {} files of cameras (*_par.txt), so it is not clear which one to read",
+                    found.size()),
+        "name one of these files instead of the folder"});
   }
   if (is_file(folder / "cameras.txt") && is_file(folder / "images.txt"))
     return folder / "cameras.txt";
@@ -83,7 +85,7 @@ Result<std::vector<NamedCamera>> select_cameras(std::vector<NamedCamera> all,
     if (index >= all.size()) {
       return tl::unexpected(Error{
           file, "", fmt::format("has {} cameras, so there is no number {}", all.size(), index + 1),
-          "give a number from 1 on"});
+          "give numbers from 1 to the number of cameras"});
     }
     some.push_back(all[index]);
   }
@@ -99,7 +101,7 @@ Image<std::uint8_t> matte_by(const Image<Rgba8>& color, auto is_object) {
                      [&](std::size_t i) { return is_object(color.pixels[i]); });
 }
 
-// The number of pixels, from the file's header; 0 if it does not say.
+// The number of pixels of a picture file, from its header; 0 if the header does not say.
 std::uint64_t pixels_in(const fs::path& path) {
   const auto bytes = read_file(path.string());
   const auto size = bytes ? find_image_size(*bytes) : std::nullopt;
@@ -129,7 +131,7 @@ public:
   }
 
 private:
-  // The memory for the pixels is counted before they are decoded.
+  // Decodes a picture, if the memory for its pixels is within the limit; this is checked first.
   Result<Image<Rgba8>> decode(const fs::path& path) {
     DecodeLimits limits;
     limits.max_pixels = std::min<std::uint64_t>(limits.max_pixels, bytes_left_ / sizeof(Rgba8));
@@ -153,7 +155,7 @@ private:
       });
       return {};
     }
-    // COLMAP names the mask of a.jpg a.jpg.png.
+    // COLMAP gives the mask of a.jpg the name a.jpg.png.
     for (const std::string& name : {"masks/" + picture.name, "masks/" + picture.name + ".png"}) {
       if (!is_file(folder_ / name)) continue;
       const auto path = directory_.find(name);
@@ -233,7 +235,7 @@ Result<WorldBox> parse_box(std::string_view text) {
                         (*rows)[1].name.empty();
   if (!has_form) {
     return fail("", "a box needs two lines of three numbers",
-                "write the corner of least coordinates, then the corner of greatest");
+                "write the corner of least coordinates, then the corner of greatest coordinates");
   }
   WorldBox box;
   for (int axis = 0; axis < 3; ++axis) {
@@ -241,8 +243,9 @@ Result<WorldBox> parse_box(std::string_view text) {
     box.high[axis] = (*rows)[1].numbers[std::size_t(axis)];
   }
   if (!((box.high - box.low).minCoeff() > 0)) {
-    return fail("", "the box is empty: a least coordinate is not below the greatest",
-                "write the corner of least coordinates first");
+    return fail(
+        "", "the box is empty: a coordinate of the first corner is not below that of the second",
+        "write the corner of least coordinates first");
   }
   return box;
 }
@@ -263,7 +266,7 @@ Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOpt
     return tl::unexpected(Error{
         file.string(), "",
         fmt::format("has {} cameras, but 1 to {} are possible", cameras->size(), kMostRingViews),
-        "choose other cameras"});
+        "choose fewer cameras, but at least one"});
   }
   PictureSet set{file.string(), {}, {}};
   Reader reader(file, options);
@@ -309,7 +312,7 @@ Result<PictureSetWriter> PictureSetWriter::open(const std::string& folder) {
 Result<void> PictureSetWriter::add(const CalibratedPicture& picture) {
   const fs::path path = fs::path(folder_) / picture.name;
   const fs::path mask = fs::path(folder_) / "masks" / picture.name;
-  // Masks that another picture of this name has left behind.
+  // Removes the masks that an earlier picture of this name has left behind.
   for (const std::string& stale : {mask.string(), mask.string() + ".png"}) {
     std::error_code error;
     fs::remove(stale, error);

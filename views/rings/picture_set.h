@@ -1,5 +1,5 @@
-// Calibrated pictures, read from files and written to files. Shapes are reconstructed from them
-// (S1-29).
+// Calibrated pictures (pictures with known cameras), read from files and written to files. Shapes
+// are reconstructed from them (S1-29).
 #pragma once
 
 #include <cstdint>
@@ -63,7 +63,7 @@ Image<std::uint8_t> matte_where(int width, int height, const IsObject& is_object
   return matte;
 }
 
-// All files in its folder that a set of pictures of these names may have.
+// All files that a set of pictures with these names may have in its folder.
 std::vector<std::string> files_of_set(const std::string& folder,
                                       const std::vector<std::string>& names);
 

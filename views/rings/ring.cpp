@@ -47,8 +47,8 @@ Result<void> check_options(const RingOptions& options) {
   return {};
 }
 
-// Two directions perpendicular to the axis and to each other. The first is made from the axis of
-// the world that is least parallel to it.
+// Two directions perpendicular to the axis and to each other. The first is the world's z axis, or y
+// axis if the axis is nearly parallel to z, made perpendicular to the axis.
 std::pair<Vector3d, Vector3d> perpendicular_directions(const Vector3d& axis) {
   // With y up, the ring begins at +z and goes towards +x; the automatic camera's azimuth has the
   // same origin and direction.
@@ -106,7 +106,9 @@ std::array<Vector3d, 8> corners_of(const WorldBox& box) {
 Result<View> view_of(const PinholeCamera& camera, int width, int height, double near, double far) {
   const Matrix3d& k = camera.intrinsic;
   if (k(0, 1) != 0) {
-    return fail("K", "its axes are skewed, but the engine's pixels are rectangles",
+    return fail("K",
+                "the axes of this intrinsic matrix are skewed, but pictures are drawn with "
+                "rectangular pixels",
                 "use a camera without skew");
   }
   FrustumLens lens;

@@ -17,8 +17,9 @@ namespace glassbox::views {
 struct RingOptions {
   int views = 21;                      // on each circle
   std::vector<double> elevations{20};  // degrees above the target's plane, one circle for each
-  double arc_degrees = 360,
-         start_degrees = 0;       // 360: evenly around; less: from end to end, both included
+  // An arc of 360: the cameras are evenly around; less: from one end of the arc to the other, with
+  // a camera at each end.
+  double arc_degrees = 360, start_degrees = 0;
   double fov_degrees = 30;        // full vertical angle
   int width = 320, height = 320;  // px
   std::optional<double>
@@ -28,8 +29,8 @@ struct RingOptions {
   std::optional<double> pair_separation;  // world units: two cameras at each place, this far apart
 };
 
-// One picture to take: its camera as the engine uses it (view), and as the geometry of pictures
-// uses it (named).
+// One picture to take: its camera in the form that the engine uses (view), and as a pinhole camera
+// for the geometry of pictures (named).
 struct RingView {
   NamedCamera named;
   View view;
@@ -48,11 +49,12 @@ inline constexpr int kMostRingViews = 512;
 // that draws nothing, numbers out of range, `up` parallel to a direction of view.
 Result<std::vector<RingView>> ring_views(const Scene& scene, const RingOptions& options);
 
-// The engine's view for a camera of the geometry. `near` and `far` are in world units along the
+// The engine's view for a pinhole camera. `near` and `far` are distances in world units along the
 // direction of view; a skewed K is refused.
 Result<View> view_of(const PinholeCamera& camera, int width, int height, double near, double far);
 
-// The same, with near and far planes that enclose the box; the box must be in front of the camera.
+// The engine's view for a camera, with near and far planes that enclose the box. At least a part of
+// the box must be in front of the camera.
 Result<View> view_of(const PinholeCamera& camera, int width, int height, const WorldBox& box);
 
 }  // namespace glassbox::views

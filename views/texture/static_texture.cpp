@@ -12,9 +12,10 @@ namespace glassbox::views {
 
 namespace {
 
-// The corners of a triangle in its square of texels, as middles of texels. Even triangles begin at
-// the first texel of the square, odd ones at the opposite corner. The diagonal between the two
-// triangles is touched by none of the four texels around any place of either.
+// The corners of a triangle in its square of texels, as middles of texels. Two triangles share a
+// square: the even one begins at the first texel, the odd one at the opposite corner. Interpolation
+// uses the four texels around a place. For a place of either triangle, none of them is on the
+// diagonal between the two triangles.
 std::array<Vector2d, 3> patch_of(std::size_t triangle, int texels) {
   const double leg = texels - 3, end = texels - 1;
   if (triangle % 2 == 0) return {Vector2d(0, 0), Vector2d(leg, 0), Vector2d(0, leg)};
@@ -59,16 +60,19 @@ Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& sur
   constexpr int kMostSide = 16384;
   const auto refused = [&](const std::string& cause, const char* remedy) {
     return fail("--texels",
-                fmt::format("{} triangles of {} texels need a texture of {} x {}{}",
+                fmt::format("{} triangles, each pair in a square of {} texels along a side, need a "
+                            "texture of {} x {} texels{}",
                             triangles.size(), texels, atlas.width(), atlas.height(), cause),
                 remedy);
   };
   if (atlas.width() > kMostSide || atlas.height() > kMostSide)
-    return refused("", "ask for fewer texels");
+    return refused(fmt::format(", but a side can have at most {}", kMostSide),
+                   "ask for fewer texels");
   const double bytes = static_texture_bytes(triangles.size(), texels);
   if (bytes > most_bytes)
-    return refused(fmt::format(", {:.0f} MB in all", bytes / 1048576),
-                   "ask for fewer texels, or allow more with --max-mb");
+    return refused(
+        fmt::format(", and {:.0f} MB of memory in all, more than is allowed", bytes / 1048576),
+        "ask for fewer texels, or allow more with --max-mb");
   Image<Rgba8> image(atlas.width(), atlas.height(), Rgba8{128, 128, 128, 255});
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const WorldTriangle& triangle = triangles[i];

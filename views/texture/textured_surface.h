@@ -19,7 +19,7 @@ struct TexturedPicture {
   Image<Rgba8> color;
   Image<std::uint32_t> id;   // 1 + the polygon's number; 0: background
   std::int64_t surface = 0;  // pixels that show a polygon
-  // Pixels of these that no view sees: they have the surface's own colour.
+  // Pixels that show a polygon at a place that no view sees; they have the surface's own colour.
   std::int64_t without_view = 0;
 };
 
@@ -51,9 +51,9 @@ public:
                                Rgba8 background) const;
 
   // The colour that the views around a direction show at a place on a polygon, in levels. Views
-  // that do not see the polygon have no weight (S1-40). If something hides the place itself from
-  // some of the others, the weights are computed again without them. None where no view sees the
-  // place.
+  // that do not see the polygon have no weight (S1-40). If something hides the place itself from a
+  // view that sees the polygon, the weights are computed again without that view. None where no
+  // view sees the place.
   class ColorsFromDirection {
   public:
     ColorsFromDirection(const TexturedSurface& surface, const Vector3d& direction);
@@ -65,7 +65,7 @@ public:
 
     const TexturedSurface& surface_;
     ViewBlend::FromDirection from_;
-    std::optional<std::uint32_t> last_;  // the polygon whose weights these are
+    std::optional<std::uint32_t> last_;  // the polygon for which weights_ was computed
     ViewWeights weights_;
   };
 
@@ -84,16 +84,16 @@ private:
                   std::optional<std::size_t> left_out);
 
   std::shared_ptr<const Surface> surface_;
-  std::vector<std::size_t> pictures_;  // of the views that are blended
+  std::vector<std::size_t> pictures_;  // for each view that is blended, the number of its picture
   ViewBlend blend_;
 };
 
-// Differences to a picture that was left out.
+// The differences between a drawn picture and the real one, which the surface was drawn without.
 struct TextureErrors {
   double rms = 0;   // levels, over the object's pixels that show a polygon; NaN if none does
   double psnr = 0;  // dB, relative to 255; infinite if nothing differs, NaN if no pixel is covered
-  double covered = 0;       // share of the object's pixels that show a polygon
-  std::int64_t pixels = 0;  // the object's
+  double covered = 0;       // fraction of the object's pixels that show a polygon
+  std::int64_t pixels = 0;  // the object's pixels
 };
 TextureErrors textured_picture_errors(const TexturedPicture& drawn,
                                       const CalibratedPicture& picture);

@@ -15,9 +15,9 @@ public:
   // The scene must outlive the renderer.
   explicit UnlitRenderer(const Scene& scene);
 
-  // Bytes needed for so many triangles and a picture of so many pixels. For a triangle: the numbers
-  // of its corners, while the engine clips, prepares and sorts it. For a pixel: colour, depth,
-  // distance and polygon number.
+  // Bytes needed for this many triangles and a picture of this many pixels. For a triangle: the
+  // numbers of its corners, while the engine clips, prepares and sorts it. For a pixel: colour,
+  // depth, distance and polygon number.
   static double bytes_for(double triangles, double pixels) {
     constexpr double kTriangle = 6 * 3 * sizeof(std::uint32_t), kPixel = 4 * sizeof(std::uint32_t);
     return triangles * kTriangle + pixels * kPixel;

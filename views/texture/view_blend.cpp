@@ -25,8 +25,8 @@ void normalise(ViewWeights& weights) {
 }
 
 // Weights (1 - angle / limit) / angle, where the limit is the angle of the nearest view that is not
-// used. A weight is 0 at the limit, so that views come and go without a jump, and it tends to
-// infinity towards a view's own direction.
+// used, or twice the largest angle if all views are used. A weight is 0 at the limit, so that views
+// come and go without a jump, and it tends to infinity towards a view's own direction.
 ViewWeights lumigraph(const std::vector<std::size_t>& seen, const std::vector<double>& angles,
                       std::size_t count) {
   ViewWeights weights;
@@ -37,7 +37,7 @@ ViewWeights lumigraph(const std::vector<std::size_t>& seen, const std::vector<do
     const double weight = (1 - angles[seen[i]] / limit) / angles[seen[i]];
     if (weight > 0) weights.push_back({seen[i], weight});
   }
-  // All are as far away as the limit, so that every weight is 0.
+  // All views that are used are as far away as the limit, so that every weight would be 0.
   if (weights.empty()) return {{seen.front(), 1}};
   normalise(weights);
   return weights;

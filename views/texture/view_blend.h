@@ -30,9 +30,10 @@ public:
   const ViewSphere& sphere() const { return sphere_; }
 
   // The weights for everything that is seen from one direction, given which views see a polygon.
-  // They are positive and sum to 1; there are none if no view sees the polygon. From the
-  // barycentric weights, those of views that do not see it are removed, and the rest is divided by
-  // its sum; if that is 0, the nearest view that sees it has all the weight.
+  // They are positive and sum to 1; there are none if no view sees the polygon. With kBarycentric,
+  // the weights of views that do not see the polygon are removed, and the remaining weights are
+  // divided by their sum; if none remains, the nearest view that sees the polygon has all the
+  // weight.
   class FromDirection {
   public:
     FromDirection(const ViewBlend& blend, const Vector3d& direction);
@@ -40,10 +41,10 @@ public:
 
   private:
     const ViewBlend& blend_;
-    ViewWeights around_;  // of the three views around the direction
+    ViewWeights around_;  // barycentric weights of the three views around the direction
     // All views, nearest first; equally near ones in their order.
     std::vector<std::size_t> nearest_;
-    std::vector<double> angles_;  // radians, by view
+    std::vector<double> angles_;  // between the direction and each view; radians
   };
   FromDirection from_direction(const Vector3d& direction) const { return {*this, direction}; }
 

@@ -17,9 +17,10 @@ namespace {
 __extension__ using Wide = __int128;
 using IntegerPoint = std::array<std::int64_t, 3>;
 
-// Directions as whole numbers, each moved by up to 2^-18 in its own way, so that no four are in one
-// plane. This decides which of the possible triangulations of four views on a circle is taken.
-// Differences have 26 bits, the determinant 81.
+// A direction as whole numbers, in units of 2^-24. Each direction is moved by up to 2^-18 in its
+// own way, so that no four are in one plane. This decides which of the possible triangulations of
+// four views on a circle is taken. Differences of coordinates have 26 bits, the determinant in
+// side_of() has 81.
 IntegerPoint integer_point(const Vector3d& direction, std::uint64_t number, std::uint64_t round) {
   std::uint64_t hash = (number + 1) * 0x9e3779b97f4a7c15u + round * 0xbf58476d1ce4e5b9u;
   hash ^= hash >> 29;
@@ -32,8 +33,8 @@ IntegerPoint integer_point(const Vector3d& direction, std::uint64_t number, std:
   return point;
 }
 
-// The sign of the volume of a, b, c, d: positive if a, b, c are counter-clockwise seen from the
-// side where d is not.
+// The sign of the volume of the tetrahedron a, b, c, d: positive if a, b, c are counter-clockwise
+// seen from the side where d is not.
 int side_of(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c,
             const IntegerPoint& d) {
   const auto less = [&](const IntegerPoint& p) {
@@ -48,8 +49,8 @@ int side_of(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c,
 
 using SphereFace = std::array<std::size_t, 3>;
 
-// Faces of the convex hull, counter-clockwise seen from outside; none if four relevant points are
-// in one plane.
+// Faces of the convex hull, counter-clockwise seen from outside; none if four points that are
+// tested are in one plane.
 std::optional<std::vector<SphereFace>> hull_of(const std::vector<IntegerPoint>& points) {
   std::vector<SphereFace> faces;
   const int first = side_of(points[0], points[1], points[2], points[3]);
@@ -59,7 +60,8 @@ std::optional<std::vector<SphereFace>> hull_of(const std::vector<IntegerPoint>& 
   faces = {base, {base[1], base[0], 3}, {base[2], base[1], 3}, {base[0], base[2], 3}};
   for (std::size_t next = 4; next < points.size(); ++next) {
     std::vector<SphereFace> kept;
-    std::set<std::array<std::size_t, 2>> sides;  // sides of the faces that see the next place
+    // Sides of the faces that the next point sees from outside.
+    std::set<std::array<std::size_t, 2>> sides;
     for (const SphereFace& f : faces) {
       const int side = side_of(points[f[0]], points[f[1]], points[f[2]], points[next]);
       if (side == 0) return std::nullopt;
@@ -78,7 +80,7 @@ std::optional<std::vector<SphereFace>> hull_of(const std::vector<IntegerPoint>& 
 }
 
 std::vector<SphereFace> hull_of_directions(const std::vector<Vector3d>& directions) {
-  // If four points are in one plane, the round is repeated with other displacements.
+  // If four points are in one plane, tries again with other displacements.
   for (std::uint64_t round = 0;; ++round) {
     std::vector<IntegerPoint> points;
     for (std::size_t i = 0; i < directions.size(); ++i)
@@ -87,12 +89,13 @@ std::vector<SphereFace> hull_of_directions(const std::vector<Vector3d>& directio
   }
 }
 
-// Positive if the middle is on the inner side of a face.
+// Positive if the middle of the sphere is on the inner side of the face.
 double outwards(const std::vector<Vector3d>& d, const SphereFace& f) {
   return d[f[0]].dot(d[f[1]].cross(d[f[2]]));
 }
 
-// The normal of the plane that all directions are nearest to.
+// The normal of the plane through the first direction and the one that is nearest to a right angle
+// with it. If all directions are in one plane, it is that plane's normal.
 Vector3d normal_of(const std::vector<Vector3d>& directions) {
   Vector3d normal = Vector3d::Zero();
   for (const Vector3d& d : directions) {
@@ -102,11 +105,11 @@ Vector3d normal_of(const std::vector<Vector3d>& directions) {
   return normal.normalized();
 }
 
-// Three directions whose cone is thinner than this make no triangle: their views are on one great
-// circle, up to the rounding in hull_of.
+// Three directions whose determinant is at most this make no triangle: their views are on one great
+// circle, up to the displacements in integer_point().
 constexpr double kFlat = 0x1p-18;
 
-// Whether the directions are on one great circle. The tolerance is that of kFlat: no three of them
+// Whether the directions are on one great circle. The tolerance is kFlat, so that no three of them
 // make a triangle.
 bool is_circle(const std::vector<Vector3d>& directions) {
   const Vector3d normal = normal_of(directions);
@@ -118,7 +121,7 @@ bool is_circle(const std::vector<Vector3d>& directions) {
 
 ViewSphere::ViewSphere(std::span<const Vector3d> directions)
     : directions_(directions.begin(), directions.end()) {
-  std::vector<std::size_t> number;  // of the views that are apart from each other
+  std::vector<std::size_t> number;  // the number of each view in `distinct`
   std::vector<Vector3d> distinct;
   for (std::size_t i = 0; i < directions_.size(); ++i) {
     const bool is_new = std::ranges::none_of(
@@ -158,7 +161,7 @@ void ViewSphere::join_circle(const std::vector<Vector3d>& distinct,
   std::ranges::sort(around);
   for (std::size_t i = 0; i < around.size(); ++i) {
     const std::size_t a = around[i].second, b = around[(i + 1) % around.size()].second;
-    // Between views half a turn or more apart there is no cone.
+    // Between two neighbouring views that are half a turn or more apart there is no cone.
     if (distinct[a].cross(distinct[b]).dot(normal) > 0) border_.push_back({number[a], number[b]});
   }
 }
@@ -168,8 +171,8 @@ ViewWeights ViewSphere::weights(const Vector3d& direction) const {
     Matrix3d basis;
     for (int k = 0; k < 3; ++k) basis.col(k) = directions_[t[std::size_t(k)]];
     const Vector3d w = basis.inverse() * direction;
-    // A direction on a side is in both triangles. The tolerance makes sure that rounding leaves it
-    // in at least one.
+    // A direction on the common side of two triangles is in both of them. The tolerance makes sure
+    // that in spite of rounding it is in at least one.
     if (!(w.minCoeff() >= -1e-12)) continue;
     const Vector3d share = w.cwiseMax(0.0) / w.cwiseMax(0.0).sum();
     ViewWeights weights;
@@ -178,8 +181,8 @@ ViewWeights ViewSphere::weights(const Vector3d& direction) const {
     }
     return weights;
   }
-  // The nearest direction of the cone is on its border: in the plane of two views, between them, or
-  // at one of them.
+  // The direction is outside of the cone that all views span. The nearest direction in the cone is
+  // on its border: in the plane of two views, between them, or at one of them.
   ViewWeights best;
   double most = -2;
   for (const auto& [a, b] : border_) {

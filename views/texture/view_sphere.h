@@ -26,17 +26,18 @@ using ViewWeights = std::vector<ViewWeight>;
 
 class ViewSphere {
 public:
-  // Unit vectors, at least one. If views are within 2^-20 of each other, the first is taken.
-  // Three directions whose determinant is at most 2^-18 make no triangle: an equilateral one of
-  // this size has sides of 0.12 degrees. Views nearer to each other than that have no triangle of
-  // their own.
+  // Unit vectors, at least one. If views are within 2^-20 of each other, the first is taken. Three
+  // directions whose determinant is at most 2^-18 make no triangle: an equilateral triangle with
+  // this determinant has sides of 0.12 degrees. Views nearer to each other than that have no
+  // triangle of their own.
   explicit ViewSphere(std::span<const Vector3d> directions);
 
-  // Solves v = sum w_i d_i over the triangle whose cone contains v, and divides by the sum of w.
-  // The weights depend continuously on v, and a view's own direction has only that view. A
-  // direction outside of the cone is replaced by the nearest one in the cone, which is continuous
-  // too, as the cone is convex. A direction that is 90 degrees or more from every view has the
-  // nearest view.
+  // Solves v = sum w_i d_i for the direction v and the directions d_i of the three views whose
+  // triangle's cone contains v, and divides the weights w_i by their sum. The weights depend
+  // continuously on v, and a view's own direction has only that view. A direction outside of the
+  // cone of all views is replaced by the nearest one in the cone, which is continuous too, as the
+  // cone is convex. A direction that is 90 degrees or more from every view has only the nearest
+  // view.
   ViewWeights weights(const Vector3d& direction) const;
 
   const std::vector<std::array<std::size_t, 3>>& triangles() const { return triangles_; }
@@ -49,7 +50,7 @@ private:
   void join_circle(const std::vector<Vector3d>& distinct, const std::vector<std::size_t>& number);
 
   std::vector<Vector3d> directions_;
-  std::vector<std::size_t> corners_;  // views that are in a triangle or on the border, or alone
+  std::vector<std::size_t> corners_;  // the first view of each direction
   std::vector<std::array<std::size_t, 3>> triangles_;
   std::vector<std::array<std::size_t, 2>> border_;
 };

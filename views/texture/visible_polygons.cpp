@@ -63,8 +63,8 @@ std::optional<Vector3d> VisiblePolygons::sample(std::size_t view, const Calibrat
     sum += weight * Vector3d(color.r, color.g, color.b);
     weights += weight;
   }
-  // If the sum of the weights is only rounding, the object's pixels are on the far side of a
-  // border.
+  // If the sum of the weights is only a rounding error, the pixels that show the surface are on the
+  // far side of a border.
   if (!(weights > 0x1p-20)) return std::nullopt;
   return sum / weights;
 }

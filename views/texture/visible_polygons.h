@@ -28,7 +28,7 @@ public:
 
   // The colour of a place on a polygon in a picture, in levels, interpolated between those of the
   // four pixels around it that show the surface there. None if the place is outside of the picture,
-  // or if none of the four pixels shows the surface. `picture` is the one of the view.
+  // or if none of the four pixels shows the surface. `picture` is the picture of `view`.
   //
   // A pixel shows the surface if it belongs to the object and the distance drawn at it is that of
   // the polygon's plane there, or that of the place itself, to within two pixels' widths: a pixel

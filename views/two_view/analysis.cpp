@@ -30,9 +30,9 @@ void add_fundamental(const FundamentalEstimate& found, PairAnalysis& analysis) {
   analysis.samples = found.samples;
 }
 
-// The analysis when no sample determines a model: then all matches may be on one plane, or be seen
-// from one point, which gives rank 6. With a lower rank, there is too little information for any
-// classification.
+// The analysis when no sample of matches determines a model. Then all points may be on one plane,
+// or the camera may only have turned; in both cases the linear system has rank 6. With a lower
+// rank, there is too little information for any classification.
 Result<PairAnalysis> undecided_analysis(const PairRequest& request, const Error& error) {
   constexpr int kRankOfPlane = 6;
   PairAnalysis analysis;
@@ -43,8 +43,8 @@ Result<PairAnalysis> undecided_analysis(const PairRequest& request, const Error&
   return analysis;
 }
 
-// The analysis from the samples' model, with a pose if there are intrinsics and one pose has more
-// points in front of the cameras than the others.
+// The analysis from the model that the random samples give. It has a pose if there are intrinsics
+// and one of the four possible poses has more points in front of the cameras than the other three.
 Result<PairAnalysis> sampled_analysis(const PairRequest& request) {
   PairAnalysis analysis;
   if (!request.intrinsics) {
@@ -56,8 +56,8 @@ Result<PairAnalysis> sampled_analysis(const PairRequest& request) {
   const auto& [left, right] = *request.intrinsics;
   const auto found = estimate_pose(request.matches, left, right, request.estimator, request.ransac);
   if (!found) {
-    // If the camera only turned, the rays are parallel, and no point is in front. F of the pixels
-    // may be enough to recognise this case.
+    // If the camera only turned, the rays of a match are parallel, and no point is in front of the
+    // cameras. F of the pixels may be enough to recognise this case.
     const Estimator of_pixels =
         request.estimator == Estimator::kFivePoint ? Estimator::kSevenPoint : request.estimator;
     const auto instead = estimate_fundamental(request.matches, of_pixels, request.ransac);

@@ -7,9 +7,10 @@
 
 namespace glassbox::views {
 
-// Eye space to NDC is x_ndc = (a x + s y + b z)/-z and y_ndc = (c y + d z)/-z, followed by the
-// viewport transform. With X = x, Y = -y, Z = -z:
-// X_screen = W/2 (a X/Z - s Y/Z) + left + W/2 (1 - b), Y_screen = H/2 c Y/Z + top + H/2 (1 + d).
+// Eye space to NDC is x_ndc = (a x + s y + b z)/-z and y_ndc = (c y + d z)/-z, where a, s, b, c and
+// d are entries of the projection matrix. The viewport transform follows. With X = x, Y = -y, Z =
+// -z, in a viewport of W x H pixels: X_screen = W/2 (a X/Z - s Y/Z) + left + W/2 (1 - b), Y_screen
+// = H/2 c Y/Z + top + H/2 (1 + d).
 Result<PinholeCamera> camera_of(const View& view) {
   if (!view.perspective) {
     return fail("the camera", "a parallel projection has no centre, and therefore no epipoles",
@@ -31,8 +32,8 @@ Result<PinholeCamera> camera_of(const View& view) {
     }
     shift[row] = view.eye_from_world.at(row, 3);
   }
-  // The centre is where x, y and w of clip space are zero. An eye of a stereo pair is beside the
-  // origin of eye space (stereo_pair.h).
+  // The camera's centre is the point where x, y and w of clip space are zero. An eye of a stereo
+  // pair is beside the origin of eye space (stereo_pair.h).
   const double beside_y = -clip.at(1, 3) / clip.at(1, 1);
   const double beside_x = -(clip.at(0, 3) + clip.at(0, 1) * beside_y) / clip.at(0, 0);
   const Vector3d half_turn(1, -1, -1);

@@ -1,4 +1,4 @@
-// Cameras in the convention of two-view geometry: x to the right, y down, Z along the direction of
+// Cameras in the convention of two-view geometry: X to the right, Y down, Z along the direction of
 // view. The pixel of a point P in the camera's space is K P, up to scale (S2-10). Eye space (x
 // right, y up, direction of view -z) is the same space turned by half a turn about the x axis.
 #pragma once
@@ -21,7 +21,8 @@ struct PinholeCamera {
   Vector3d centre = Vector3d::Zero();                 // world units
 };
 
-// P_r = R (P_l - T): T is the right camera's centre in the left camera's space (S2-07).
+// A point with the coordinates P_l in the left camera's space has P_r = R (P_l - T) in the right
+// camera's space. T is the right camera's centre in the left camera's space (S2-07).
 struct RelativePose {
   Matrix3d rotation = Matrix3d::Identity();
   Vector3d translation = Vector3d::Zero();

@@ -1,6 +1,7 @@
-// The epipolar constraint: T, P_l and P_r, seen from the left camera, are in one plane, so that
-// p_r^T E p_l = 0 (S2-07 to S2-11). The functions accept any number type; tests use rationals to
-// check what is exact.
+// The epipolar constraint. For a point that the left camera sees at P_l and the right camera at
+// P_r, the rays to it and the translation T between the cameras are in one plane, so that p_r^T E
+// p_l = 0 for its images p_l and p_r (S2-07 to S2-11). The functions accept any number type; tests
+// use rationals to check what is exact.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,14 +24,14 @@ Matrix3Of<S> cross_matrix(const Vector3Of<S>& t) {
   return s;
 }
 
-// The essential matrix E = R S: P_r^T R S P_l = 0 for P_r = R (P_l - T) (S2-09). It has rank 2; its
-// singular values are |T|, |T| and 0.
+// The essential matrix E = R S, where S is the cross product matrix of T: P_r^T R S P_l = 0 for P_r
+// = R (P_l - T) (S2-09). It has rank 2; its singular values are |T|, |T| and 0.
 template <class S>
 Matrix3Of<S> essential(const Matrix3Of<S>& rotation, const Vector3Of<S>& translation) {
   return rotation * cross_matrix(translation);
 }
 
-// The form in other textbooks, for P_r = R P_l + t: [t]x R. With t = -R T it equals -R S; the sign
+// The form in other textbooks, [t]x R, for P_r = R P_l + t. With t = -R T it equals -R S. The sign
 // has no meaning, but the order of the factors matters.
 template <class S>
 Matrix3Of<S> essential_of_shift(const Matrix3Of<S>& rotation, const Vector3Of<S>& shift) {
@@ -45,16 +46,16 @@ Matrix3Of<S> fundamental(const Matrix3Of<S>& essential, const Matrix3Of<S>& inve
   return inverse_right.transpose() * essential * inverse_left;
 }
 
-// Demazure's expression 2 E E^T E - tr(E E^T) E: for a matrix of rank 2 it is zero exactly if the
-// matrix is of the form R S.
+// Demazure's expression 2 E E^T E - tr(E E^T) E: for a matrix E of rank 2 it is zero exactly if E
+// is of the form R S, with a rotation R and a cross product matrix S.
 template <class S>
 Matrix3Of<S> demazure(const Matrix3Of<S>& e) {
   const Matrix3Of<S> square = e * e.transpose();
   return S(2) * (square * e) - square.trace() * e;
 }
 
-// The epipolar line on which the point of the right picture has to be: u_r = E p_l, as a x + b y +
-// c = 0 (S2-11). For the left picture it is E^T p_r.
+// The epipolar line on which the point of the right picture has to be: u_r = E p_l, the line a x +
+// b y + c = 0 with u_r = (a, b, c) (S2-11). For a line in the left picture, pass E^T and p_r.
 template <class S>
 Vector3Of<S> epipolar_line(const Matrix3Of<S>& matrix, const Vector3Of<S>& point) {
   return matrix * point;

@@ -1,4 +1,4 @@
-// Finds the nearest pair of pixels that fulfils the epipolar constraint.
+// Corrects a match: finds the nearest two pixels that fulfil the epipolar constraint.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,9 +12,10 @@
 
 namespace glassbox::views {
 
-// n and n' are the gradients of the constraint with respect to either pixel. One step along both
-// solves the constraint to second order, and a second step uses the gradients at the new pixels.
-// Lindstrom's x and x' are the right and the left pixel here: x^T F x' = 0.
+// Lindstrom's method. `across_right` and `across_left` are the gradients of the constraint with
+// respect to the right and the left pixel. One step along both gradients solves the constraint to
+// second order, and a second step uses the gradients at the new pixels. Lindstrom's x and x' are
+// the right and the left pixel here: x^T F x' = 0.
 Match corrected_by_iteration(const Match& pixels, const Matrix3d& fundamental) {
   const Eigen::Matrix2d inner = fundamental.topLeftCorner<2, 2>();
   const Vector3d left = pixels.left.homogeneous(), right = pixels.right.homogeneous();
@@ -35,8 +36,8 @@ Match corrected_by_iteration(const Match& pixels, const Matrix3d& fundamental) {
 
 namespace {
 
-// A transform that moves the point to the origin and turns the epipole onto the x axis, to (1, 0,
-// f).
+// A transform of the picture that moves the point to the origin and turns the epipole onto the x
+// axis, to the homogeneous point (1, 0, f).
 struct EpipolarFrame {
   Matrix3d from_picture;
   double f = 0;
@@ -65,8 +66,10 @@ Eigen::VectorXd product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) {
 
 }  // namespace
 
-// The lines through the left epipole are a pencil with parameter t. The squared distance of both
-// pixels to a line and to its partner in the other picture is
+// Hartley and Sturm's method. The lines through the left epipole are a pencil with parameter t. In
+// the frames of both pixels F has the entries a, b, c, d, and the epipoles are at f and f'. The sum
+// of the squared distances of the left pixel to a line and of the right pixel to the line's partner
+// in the right picture is
 //   s(t) = t^2/(1 + (f t)^2) + (c t + d)^2/((a t + b)^2 + f'^2 (c t + d)^2),
 // and its derivative is zero at the roots of a polynomial of degree 6. The result is the least of s
 // at these roots and for t at infinity.

@@ -31,17 +31,22 @@ int count(const std::vector<bool>& chosen) {
 }
 
 tl::unexpected<Error> no_model(int matches) {
-  return fail("the matches", fmt::format("none of the {} samples determines a model", matches),
-              "give more matches, in general position");
+  return fail(
+      "the matches",
+      fmt::format("the relation between the two pictures cannot be computed from these {} matches",
+                  matches),
+      "give more matches, whose points are not all in one plane or on one line");
 }
 
 tl::unexpected<Error> few_inliers(int inliers, double threshold) {
-  return fail("the matches",
-              fmt::format("{} of them agree within {} px, but 8 are needed", inliers, threshold),
-              "give better matches, or a larger threshold");
+  return fail(
+      "the matches",
+      fmt::format("only {} of them agree with the same two cameras within {} px, but 8 are needed",
+                  inliers, threshold),
+      "give more accurate matches, or a larger threshold");
 }
 
-// `refine(inliers)` returns a model and its F. The inliers are selected again with the new F, until
+// `refine(model, inliers)` returns a better model. The inliers are selected again with its F, until
 // they no longer change.
 template <class Model, class Refine, class FundamentalOf>
 void refine_until_stable(const Matches& pixels, double threshold, const Refine& refine,

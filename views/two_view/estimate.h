@@ -1,5 +1,5 @@
-// The complete estimation of a matrix, or a relative pose, from matches with outliers: random
-// samples first, then all matches that agree with the best one.
+// The complete estimation of a matrix, or a relative pose, from matches with outliers: first with
+// random samples, then with all matches that agree with the best sample's model.
 #pragma once
 
 #include <vector>
@@ -34,17 +34,17 @@ struct PoseEstimate {
   int in_front = 0;  // inliers in front of both cameras
 };
 
-// The threshold is in pixels. After the samples, the refined model selects its inliers again, until
-// they no longer change. An error if no sample has a model, if there are fewer inliers than the
-// refinement has unknowns, or if the pose is ambiguous because as many points are behind the
-// cameras as in front of them.
+// Both functions estimate from pixels; the threshold is in pixels. First, the best model of the
+// random samples is found. Then a refined model selects its inliers again, until they no longer
+// change. An error if no sample has a model, if fewer than 8 inliers are left, or if the pose is
+// ambiguous because as many points are behind the cameras as in front of them.
 Result<FundamentalEstimate> estimate_fundamental(const Matches& pixels, Estimator estimator,
                                                  const RansacOptions& options);
 Result<PoseEstimate> estimate_pose(const Matches& pixels, const Matrix3d& left_intrinsic,
                                    const Matrix3d& right_intrinsic, Estimator estimator,
                                    const RansacOptions& options);
 
-// The matches as points on the planes at distance 1.
+// The matches as points on the plane at distance 1 in front of each camera.
 Matches calibrated(const Matches& pixels, const Matrix3d& left_intrinsic,
                    const Matrix3d& right_intrinsic);
 

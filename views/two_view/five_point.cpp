@@ -20,8 +20,8 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Basis = std::array<Matrix3d, 4>;  // X, Y, Z, W
-using Cubics = Eigen::MatrixXd;         // 10 x 20
+using Basis = std::array<Matrix3d, 4>;  // a basis X, Y, Z, W of the possible matrices
+using Cubics = Eigen::MatrixXd;         // 10 x 20: coefficients of the ten equations
 
 // ---- polynomials of degree 3 or less in x, y and z ----
 
@@ -87,7 +87,8 @@ Polynomial determinant(const PolynomialMatrix& e) {
          e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
 }
 
-// The ten cubic equations: det E = 0, and the nine entries of 2 E E^T E - tr(E E^T) E = 0.
+// The ten cubic equations for E = x X + y Y + z Z + W: det E = 0, and the nine entries of 2 E E^T E
+// - tr(E E^T) E = 0.
 Cubics cubics_of(const Basis& basis) {
   const PolynomialMatrix e = unknown_essential(basis);
   PolynomialMatrix square;
@@ -110,7 +111,7 @@ Cubics cubics_of(const Basis& basis) {
   return rows;
 }
 
-// ---- their common roots ----
+// ---- the common roots of the cubic equations ----
 
 Matrix3d combined(const Basis& basis, const Vector3d& at) {
   return at.x() * basis[0] + at.y() * basis[1] + at.z() * basis[2] + basis[3];
@@ -141,7 +142,8 @@ Eigen::MatrixXd monomial_slopes_at(const Vector3d& at) {
   return slopes;
 }
 
-// Gauss-Newton steps, as long as the residual of the equations decreases.
+// Improves an approximate root by Gauss-Newton steps, as long as the residual of the equations
+// decreases.
 Vector3d improved(const Cubics& cubics, Vector3d at) {
   constexpr int kMostSteps = 10;
   Eigen::VectorXd residual = cubics * monomials_at(at);
@@ -156,9 +158,9 @@ Vector3d improved(const Cubics& cubics, Vector3d at) {
   return at;
 }
 
-// The matrix of the multiplication by x on the ten smaller monomials. x times a monomial of degree
-// 2 is a cubic one, which the equations express by smaller ones; x times one of degree 1 or 0 is
-// one of the smaller ones.
+// The matrix that multiplies by x, in the basis of the ten monomials of degree 2 or less. x times a
+// monomial of degree 2 is a cubic monomial, which the equations express by the ten smaller ones. x
+// times a monomial of degree 1 or 0 is one of the ten itself.
 Eigen::MatrixXd multiplication_by_x(const Cubics& cubics) {
   const Eigen::MatrixXd smaller = -Eigen::MatrixXd(cubics.leftCols(10))
                                        .partialPivLu()
@@ -177,9 +179,9 @@ Eigen::MatrixXd multiplication_by_x(const Cubics& cubics) {
   return action;
 }
 
-// For a solution without a W component, x, y and z would be infinite. Points in special positions
-// have such solutions in the basis that the decomposition returns; in a rotated basis this happens
-// only by chance. The rotation is an orthogonal matrix without a zero entry.
+// A matrix x X + y Y + z Z + W has no finite x, y, z if its component along W is 0. Points in
+// special positions have such solutions in the basis that the decomposition returns; in a rotated
+// basis this happens only by chance. The rotation is an orthogonal matrix without a zero entry.
 Basis turned_basis(const Eigen::Matrix<double, 9, Eigen::Dynamic>& kernel) {
   Eigen::MatrixXd mixed(4, 4);
   mixed << 0.8, 0.4, -0.4, 0.2,  //
@@ -200,8 +202,9 @@ Result<std::vector<Matrix3d>> five_point(const Matches& calibrated) {
   const auto fit = linear_fit(calibrated, 5);
   if (!fit) return tl::unexpected(fit.error());
   if (fit->rank() < 5) {
-    return fail("the matches", "they give fewer than five independent equations",
-                "give matches in general position");
+    return fail("the matches",
+                "they give fewer than the five independent equations that the 5-point method needs",
+                "give matches whose points are not all in one plane or on one line");
   }
   const Basis basis = turned_basis(fit->kernel.rightCols(4));
   const Cubics cubics = cubics_of(basis);
@@ -219,8 +222,8 @@ Result<std::vector<Matrix3d>> five_point(const Matches& calibrated) {
     const bool is_new = std::ranges::none_of(found, [&](const Matrix3d& other) {
       return std::min((e - other).norm(), (e + other).norm()) < close;
     });
-    // If Newton's method did not reach a root, the residual 2 E E^T E - tr(E E^T) E of the matrix,
-    // whose norm is 1, is not small.
+    // If the Gauss-Newton steps did not reach a root, the matrix, whose norm is 1, does not have a
+    // small residual 2 E E^T E - tr(E E^T) E.
     if (is_new && demazure<double>(e).norm() < close) found.push_back(e);
   }
   return found;

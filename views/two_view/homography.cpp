@@ -9,7 +9,8 @@
 
 namespace glassbox::views {
 
-// Uses p_r x H p_l = 0, which gives two independent equations for each match.
+// Solves p_r x H p_l = 0, the cross product of the right point and the transformed left point,
+// which gives two independent equations for each match.
 Result<Eigen::Matrix3d> fit_homography(const Matches& matches) {
   if (matches.size() < 4) {
     return fail("the matches", fmt::format("there are {}, but 4 are needed", matches.size()),
@@ -30,7 +31,8 @@ Result<Eigen::Matrix3d> fit_homography(const Matches& matches) {
     const Eigen::Matrix3d h = (from.right.inverse() * there * from.left).normalized();
     const double determinant = h.determinant();
     if (determinant == 0) {
-      return fail("the matches", "their points are on a line", "give points in general position");
+      return fail("the matches", "too many of their points are on one line",
+                  "give at least four matches of which no three points are on one line");
     }
     return determinant < 0 ? Eigen::Matrix3d(-h) : h;
   });

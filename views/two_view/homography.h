@@ -1,5 +1,5 @@
-// Homographies, the alternative to the epipolar constraint: p_r = H p_l for all points. This holds
-// for points on a plane, and for a camera that only turns.
+// Homographies, the alternative to the epipolar constraint: p_r = H p_l up to scale for all points.
+// This holds for points on a plane, and for a camera that only turns.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace glassbox::views {
 
-// The least squares solution for four or more matches, with normalised points; the result has det H
-// > 0 and Frobenius norm 1.
+// The least squares solution for four or more matches, computed with normalised points; the result
+// has det H > 0 and Frobenius norm 1.
 Result<Eigen::Matrix3d> fit_homography(const Matches& matches);
 
 }  // namespace glassbox::views

@@ -27,7 +27,7 @@ Svd3 decomposed(const Matrix3d& matrix) {
 
 tl::unexpected<Error> not_finite() {
   return fail("the matches", "a coordinate is not finite, or too large for the computation",
-              "leave that match out");
+              "leave the match with this coordinate out");
 }
 
 // Replaces Eigen's allFinite(), which subtracts each number from itself: for infinite ones that
@@ -37,12 +37,12 @@ bool is_finite(const Matrix& matrix) {
   return matrix.array().isFinite().all();
 }
 
-// The normalising transform for the points that `point` selects from each match.
+// The normalising transform (see Normalised) for the points that `point` selects from each match.
 template <class Pick>
 Result<Matrix3d> normalising(const Matches& matches, const char* side, const Pick& point) {
   Vector2d centre = Vector2d::Zero();
   for (const Match& match : matches) {
-    // Before two infinite numbers are subtracted.
+    // This check comes first, because two infinite numbers must not be subtracted.
     if (!is_finite(point(match))) return not_finite();
     centre += point(match);
   }
@@ -51,7 +51,7 @@ Result<Matrix3d> normalising(const Matches& matches, const char* side, const Pic
   for (const Match& match : matches) distance += (point(match) - centre).norm();
   distance /= double(matches.size());
   if (!std::isfinite(distance)) return not_finite();  // a sum or a square has overflowed
-  // The mean of equal points may differ from them by its rounding error.
+  // All points count as equal if their mean distance from the centre is within its rounding error.
   const double rounding = double(matches.size()) * std::numeric_limits<double>::epsilon();
   if (!(distance > rounding * centre.norm())) {
     return fail("the matches", fmt::format("all points of the {} picture are the same", side),

@@ -8,7 +8,8 @@
 namespace glassbox::views {
 
 struct Match {
-  Eigen::Vector2d left, right;  // pixels, or on the plane at distance 1 (calibrated)
+  // In pixels, or calibrated: on the plane at distance 1 from the camera.
+  Eigen::Vector2d left, right;
 };
 
 using Matches = std::vector<Match>;

@@ -18,9 +18,10 @@ namespace glassbox::views {
 
 namespace {
 
-// GRIC = sum rho(e^2/sigma^2) + lambda1 d n + lambda2 k, rho(x) = min(x, lambda3 (r - d)), with
-// lambda1 = log 4, lambda2 = log 4 n, lambda3 = 2. A match has r = 4 numbers; the model has k
-// parameters and restricts matches to a manifold of d dimensions.
+// Torr's criterion GRIC = sum over the n matches of rho(e^2/sigma^2) + lambda1 d n + lambda2 k,
+// where e is a match's residual, rho(x) = min(x, lambda3 (r - d)), lambda1 = log 4, lambda2 = log 4
+// n, lambda3 = 2. A match has r = 4 numbers; the model has k parameters and restricts matches to a
+// manifold of d dimensions.
 struct ModelSize {
   int dimensions, parameters;
 };
@@ -36,7 +37,7 @@ double criterion(const Matches& matches, double sigma, ModelSize size, const Squ
   return sum;
 }
 
-// The rotation that turns the left rays as near as possible to the right ones (Kabsch, Acta
+// The rotation that turns the left rays as near as possible to the right rays (Kabsch, Acta
 // Crystallographica A32, 1976).
 Matrix3d fit_rotation(const Matches& pixels, const Matrix3d& left_intrinsic,
                       const Matrix3d& right_intrinsic) {
@@ -51,8 +52,8 @@ Matrix3d fit_rotation(const Matches& pixels, const Matrix3d& left_intrinsic,
   return u * signs.asDiagonal() * v.transpose();
 }
 
-// To first order, the squared distance of both points together is half of the squared transfer
-// errors.
+// GRIC of a homography. To first order, the squared distance by which both points of a match have
+// to be moved is half of the squared transfer error.
 double cost_of_transfer(const Matches& pixels, const Matrix3d& homography, double sigma,
                         ModelSize size) {
   const Matrix3d inverse = homography.inverse();
@@ -102,8 +103,9 @@ Result<PairClassification> classify_pair(const Matches& pixels, const Matrix3d& 
   const double simpler =
       std::min(classification.cost_of_homography, classification.cost_of_rotation);
   const bool is_family = fit->system.rank() < 8 || classification.eighth_over_ninth < 3;
-  // For a plane, F is one member of a two-dimensional family, and the fit has chosen the member
-  // that suits the noise best: two more parameters.
+  // If the points are on a plane, F is one member of a family with two parameters, and the fit has
+  // chosen the member that suits the noise best. So F has two more parameters than kFundamental
+  // says.
   const double freedom = is_family ? 2 * logarithm(4.0 * double(pixels.size())) : 0;
   if (simpler <= classification.cost_of_fundamental + freedom) {
     classification.kind =

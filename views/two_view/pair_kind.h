@@ -1,4 +1,5 @@
-// The kind of a pair: whether its matches determine a relative pose at all (C-101 to C-103).
+// The kind of a pair of pictures: whether its matches determine a relative pose at all (C-101 to
+// C-103).
 #pragma once
 
 #include "views/two_view/camera.h"
@@ -7,13 +8,13 @@
 namespace glassbox::views {
 
 enum class PairKind {
-  kGeneral,       // the epipolar constraint, and no simpler model
+  kGeneral,       // the epipolar constraint holds, and no simpler model does
   kPureRotation,  // one point of view: p_r = K_r R K_l^-1 p_l, E is 0, and any direction of T fits
-  // A homography that is not a rotation: eight points leave a family of E; five calibrated points
-  // do not.
+  // The model is a homography that is not a rotation: eight points leave a family of E; five
+  // calibrated points do not.
   kPlane,
-  // No homography, but a second constraint fits equally well: points and centres are on a ruled
-  // quadric.
+  // No homography fits, but a second epipolar constraint fits as well as the first: the points and
+  // the cameras' centres are on a ruled quadric.
   kCritical,
 };
 const char* name_of(PairKind kind);
@@ -21,16 +22,16 @@ const char* name_of(PairKind kind);
 struct PairClassification {
   PairKind kind = PairKind::kGeneral;
   // The geometric robust information criterion (Torr, IJCV 50, 2002) of F, H and a rotation:
-  // squared residuals over sigma^2, plus a cost for the model's structure and parameters. The
-  // smallest one is the best explanation.
+  // squared residuals over sigma^2, plus a cost for the model's structure and parameters. The model
+  // with the smallest value is the best explanation.
   double cost_of_fundamental = 0, cost_of_homography = 0, cost_of_rotation = 0;
-  // For the system of eight-point equations with normalised points: the eighth singular value
-  // divided by the ninth. If the ratio is small, a second matrix fits as well as the first.
+  // For the linear system of the eight-point algorithm with normalised points: the eighth singular
+  // value divided by the ninth. If the ratio is small, a second matrix fits as well as the first.
   double eighth_over_ninth = 0;
 };
 
-// Classifies the inliers, in pixels, each coordinate of which has an error of `sigma` pixels; at
-// least 8 are needed.
+// Classifies a list of inliers, in pixels. Each coordinate has an error of `sigma` pixels; at least
+// 8 matches are needed.
 Result<PairClassification> classify_pair(const Matches& pixels, const Matrix3d& left_intrinsic,
                                          const Matrix3d& right_intrinsic, double sigma);
 

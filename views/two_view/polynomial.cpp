@@ -10,7 +10,7 @@ namespace glassbox::views {
 
 namespace {
 
-// Newton's method, as long as it reduces the value.
+// Newton's method, as long as it brings the value nearer to 0.
 double improved(const Eigen::VectorXd& coefficients, double x) {
   constexpr int kMostSteps = 20;
   const Eigen::Index degree = coefficients.size() - 1;
@@ -37,7 +37,7 @@ double polynomial_at(const Eigen::VectorXd& coefficients, double x) {
 
 std::vector<double> real_roots(const Eigen::VectorXd& coefficients) {
   constexpr double kUnitRoundoff = std::numeric_limits<double>::epsilon() / 2;
-  // A leading coefficient below the rounding error of the largest one has no meaning.
+  // A leading coefficient below the rounding error of the largest coefficient has no meaning.
   const double least = kUnitRoundoff * coefficients.cwiseAbs().maxCoeff();
   Eigen::Index degree = coefficients.size() - 1;
   while (degree > 0 && std::abs(coefficients[degree]) <= least) --degree;
@@ -47,8 +47,8 @@ std::vector<double> real_roots(const Eigen::VectorXd& coefficients) {
   companion.diagonal(-1).setOnes();
   companion.col(degree - 1) = -used.head(degree) / used[degree];
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(companion, false);
-  // A root of multiplicity m has an error of the m-th root of the roundoff; the tolerance makes
-  // sure that double roots are not lost.
+  // An eigenvalue for a root of multiplicity m has an error of the m-th root of the unit roundoff.
+  // This tolerance, for m = 2, makes sure that double roots are not lost.
   const double close = 8 * std::sqrt(kUnitRoundoff);
   std::vector<double> roots;
   for (const std::complex<double>& value : solver.eigenvalues()) {

@@ -21,8 +21,8 @@ Matrix3d of_determinant_one(const Matrix3d& orthogonal) {
 
 }  // namespace
 
-// With E = U diag(1, 1, 0) V^T and a quarter turn W about the third axis, the rotations are U W V^T
-// and U W^T V^T; E T = 0 makes T the last column of V.
+// With E = U diag(1, 1, 0) V^T and a quarter turn W about the third axis, the possible rotations
+// are U W V^T and U W^T V^T; E T = 0 makes T the last column of V.
 std::array<RelativePose, 4> poses_of(const Matrix3d& essential) {
   const Eigen::JacobiSVD<Matrix3d> svd(essential, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Matrix3d quarter_turn;

@@ -1,5 +1,6 @@
-// RANSAC, a defence against outliers (Fischler and Bolles, CACM 24, 1981): a model is fitted to
-// random samples of as few matches as determine it, until one sample was probably free of outliers.
+// RANSAC, a method for data with outliers (Fischler and Bolles, CACM 24, 1981): a model is fitted
+// to random samples of as few matches as determine it, until one sample was probably free of
+// outliers.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +14,10 @@
 
 namespace glassbox::views {
 
-// The number of samples of `size` matches such that one of them has no outlier with the probability
-// `confidence`, if this share of the matches are inliers: log(1 - confidence)/log(1 -
-// inliers^size), at least 1. For half of the matches and 0.99 it is 145 for samples of 5, and 1177
-// for samples of 8.
+// The number of samples of `size` matches after which one of them has no outlier with the
+// probability `confidence`, if the fraction `inlier_share` of the matches are inliers: log(1 -
+// confidence)/log(1 - inlier_share^size), at least 1. For half of the matches and 0.99 it is 145
+// for samples of 5, and 1177 for samples of 8.
 double samples_needed(double inlier_share, int size, double confidence);
 
 struct RansacOptions {
@@ -42,7 +43,8 @@ struct RansacResult {
 
 // Finds the model with the least sum of squared residuals, each limited to the square of the
 // threshold (Torr and Zisserman, MLESAC, CVIU 78, 2000). The same seed gives the same samples on
-// every machine. None if no sample has a model, or if there are fewer matches than a sample needs.
+// every machine. No result if no sample has a model, or if there are fewer matches than a sample
+// needs.
 std::optional<RansacResult> ransac(const Matches& matches, const RansacModel& model,
                                    const RansacOptions& options);
 

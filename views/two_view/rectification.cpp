@@ -15,13 +15,13 @@ bool is_inside(const Vector2d& pixel, int width, int height) {
   return pixel.x() >= 0 && pixel.x() <= width && pixel.y() >= 0 && pixel.y() <= height;
 }
 
-// Whether the direction or its opposite is inside the picture.
+// Whether the ray in this direction, or in the opposite one, passes through the picture.
 bool shows(const Matrix3d& intrinsic, const Vector3d& direction, int width, int height) {
   if (direction.z() == 0) return false;
   return is_inside((intrinsic * direction).hnormalized(), width, height);
 }
 
-// The share of pixel centres that `matrix` moves out of the picture.
+// The fraction of a picture's pixel centres that `matrix` moves out of the picture.
 double share_outside(const Matrix3d& matrix, int width, int height) {
   std::int64_t outside = 0;
   for (int y = 0; y < height; ++y) {
@@ -40,8 +40,8 @@ Matrix3d of_positive_scale(const Matrix3d& homography, int width, int height) {
 
 }  // namespace
 
-// The new x axis is along the baseline, and z is as near as possible to the mean of both directions
-// of view.
+// The new cameras' x axis is along the baseline, and their z axis is as near as possible to the
+// mean of both directions of view.
 Result<Rectification> rectification_of(const StereoRig& rig, int width, int height) {
   const Vector3d baseline = rig.pose.translation;
   if (baseline.norm() == 0) {
@@ -77,8 +77,8 @@ Result<Rectification> rectification_of(const StereoRig& rig, int width, int heig
                           width, height);
   };
   homographies();
-  // The middle of both old pictures is moved to the middle of the new ones. The shift is the same
-  // for both, so disparities do not change.
+  // The mean of the places to which the middles of both old pictures are moved becomes the middle
+  // of the new pictures. The shift is the same for both pictures, so disparities do not change.
   const Vector3d centre(width / 2.0, height / 2.0, 1);
   const Vector2d middle =
       ((result.left * centre).hnormalized() + (result.right * centre).hnormalized()) / 2;
@@ -94,7 +94,7 @@ Result<Rectification> rectification_of(const StereoRig& rig, int width, int heig
 
 namespace {
 
-// Interpolates between the centres of four pixels.
+// The colour at a place between pixel centres, interpolated from the four pixels around it.
 Rgba8 sample_between(const Image<Rgba8>& picture, const Vector2d& at) {
   const double x = std::clamp(at.x() - 0.5, 0.0, picture.width - 1.0);
   const double y = std::clamp(at.y() - 0.5, 0.0, picture.height - 1.0);

@@ -1,5 +1,6 @@
-// Rectification: turns both pictures about their centres so that epipolar lines become scan lines,
-// the same in both (Fusiello, Trucco and Verri, Machine Vision and Applications 12, 2000).
+// Rectification: turns both cameras about their centres so that epipolar lines become scan lines,
+// and matching points are in the same line of both pictures (Fusiello, Trucco and Verri, Machine
+// Vision and Applications 12, 2000).
 #pragma once
 
 #include <glassbox/base/error.h>
@@ -10,23 +11,25 @@
 namespace glassbox::views {
 
 struct Rectification {
-  Matrix3d intrinsic;    // of both new cameras, which have the same rotation
-  Matrix3d left, right;  // rectified pixel = left * (x, y, 1)
+  Matrix3d intrinsic;    // K of both new cameras, which have the same rotation
+  Matrix3d left, right;  // homographies: the rectified left pixel is left * (x, y, 1)
   Matrix3d from_left;    // rotation from the left camera's space to that of the new cameras
-  double baseline =
-      0;  // > 0: the right camera is to the right, and disparities x_l - x_r are f B/Z
+  // B, above 0 if the right camera is to the right. A point at depth Z has the disparity
+  // x_l - x_r = f B/Z, with the focal length f.
+  double baseline = 0;
 
-  // Shares of the old pictures' pixels that are outside of the new pictures, and of the new
-  // pictures' pixels that show nothing.
+  // Fractions: how much of each old picture is outside of the new picture (lost), and how much of
+  // each new picture shows nothing (empty).
   double lost_left = 0, lost_right = 0, empty_left = 0, empty_right = 0;
 };
 
-// For pictures of `width` x `height` pixels. Refused if an epipole is inside a picture: a camera
+// For pictures of `width` x `height` pixels. An error if an epipole is inside a picture: a camera
 // that moves along its direction of view sees directions all around the epipole, and no picture
 // with parallel epipolar lines can show them.
 Result<Rectification> rectification_of(const StereoRig& rig, int width, int height);
 
-// The picture by bilinear interpolation of its bytes; transparent black outside of the old picture.
+// The picture transformed by `matrix`, by bilinear interpolation of its bytes; transparent black
+// where the old picture has nothing.
 Image<Rgba8> rectified(const Image<Rgba8>& picture, const Matrix3d& matrix);
 
 }  // namespace glassbox::views

@@ -14,7 +14,8 @@ namespace glassbox::views {
 
 namespace {
 
-// The parameters near 0 for which the resulting matrix has the least Sampson distances.
+// Finds the parameters for which the resulting matrix has the least sum of squared Sampson
+// distances. The search begins with all parameters at 0.
 template <class MatrixOf>
 Eigen::VectorXd nearest_to_matches(const MatrixOf& matrix_of, const Matches& pixels, int unknowns) {
   return least_squares(unknowns, int(pixels.size()),
@@ -43,7 +44,8 @@ RelativePose refined_pose(const StereoRig& first, const Matches& pixels) {
 }
 
 Matrix3d refined_fundamental(const Matrix3d& first, const Matches& pixels) {
-  // Pixel coordinates are much larger than 1, so the unknowns are rotations for normalised points.
+  // Pixel coordinates are much larger than 1, so the seven unknowns change the matrix for
+  // normalised points: two rotations, and the ratio of its singular values.
   const auto from = normalised(pixels);
   if (!from) return first.normalized();
   const Matrix3d there = from->right.inverse().transpose() * first * from->left.inverse();

@@ -11,8 +11,8 @@ namespace glassbox::views {
 // rotation and the direction of T. |T| does not change.
 RelativePose refined_pose(const StereoRig& first, const Matches& pixels);
 
-// F with 7 unknowns: U diag(1, s, 0) V^T, where U and V are rotated and s is changed. Frobenius
-// norm 1.
+// F with 7 unknowns: it is U diag(1, s, 0) V^T, where U and V are rotated (3 unknowns each) and s
+// is changed. The result has Frobenius norm 1.
 Matrix3d refined_fundamental(const Matrix3d& first, const Matches& pixels);
 
 }  // namespace glassbox::views

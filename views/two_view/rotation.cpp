@@ -17,8 +17,9 @@ Matrix3d turned_by(const Vector3d& rotation_vector) {
   return cosine * Matrix3d::Identity() + sine * cross + (1 - cosine) * axis * axis.transpose();
 }
 
-// |A - B| of two rotations is 2 sqrt 2 sin(angle / 2). It is accurate for small angles, while the
-// cosine from the trace is not.
+// For two rotations A and B whose relative rotation has the angle a, the Frobenius norm |A - B| is
+// 2 sqrt 2 sin(a / 2). It is accurate for small angles, while the cosine from the trace of A^T B is
+// not.
 double rotation_error(const Matrix3d& estimated, const Matrix3d& truth) {
   const double half = (estimated - truth).norm() / (2 * std::sqrt(2.0));
   const double sine = std::min(1.0, half);

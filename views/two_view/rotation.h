@@ -1,4 +1,4 @@
-// Rotations given by three numbers, and the angle between two rotations.
+// Rotations given by three numbers (rotation vectors), and the angle between two rotations.
 #pragma once
 
 #include "views/two_view/camera.h"

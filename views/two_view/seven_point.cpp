@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Matrix3d;
 
-// The coefficients of det(t A + B) = c3 t^3 + c2 t^2 + c1 t + c0, from its values at 0, 1, -1 and
-// infinity.
+// The coefficients of det(t A + B) = c3 t^3 + c2 t^2 + c1 t + c0, from the values of the polynomial
+// at 0, 1, -1 and infinity (the leading coefficient).
 Eigen::VectorXd determinant_of_pencil(const Matrix3d& a, const Matrix3d& b) {
   const double c0 = b.determinant(), c3 = a.determinant();
   const double at_one = (a + b).determinant(), at_minus_one = (b - a).determinant();
@@ -34,12 +34,15 @@ Result<std::vector<Matrix3d>> seven_point(const Matches& pixels) {
   const auto fit = linear_fit(from->matches, 7);
   if (!fit) return tl::unexpected(fit.error());
   if (fit->rank() < 7) {
-    return fail("the matches", "they give fewer than seven independent equations",
-                "give matches in general position");
+    return fail(
+        "the matches",
+        "they give fewer than the seven independent equations that the 7-point method needs",
+        "give matches whose points are not all in one plane or on one line");
   }
   const auto kernel = fit->kernel.rightCols(2);
-  // A root at infinity would be lost, so try several bases of the same pencil and take the one
-  // whose first matrix is farthest from singular.
+  // A root at infinity would be lost, so several bases of the same pencil are tried. The basis is
+  // taken whose first matrix is farthest from singular, as its determinant is the leading
+  // coefficient.
   Eigen::VectorXd best = Eigen::VectorXd::Zero(4);
   Matrix3d first = Matrix3d::Zero(), second = Matrix3d::Zero();
   constexpr int kBases = 4;

@@ -16,7 +16,8 @@ namespace {
 
 using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 
-// K_r R [I | -T] for the right camera; K_l [I | 0] for the left one.
+// K R [I | -T], the projection from the left camera's space. For the left camera itself R = I and T
+// = 0.
 ProjectionMatrix projection_matrix(const Matrix3d& intrinsic, const RelativePose& pose) {
   ProjectionMatrix matrix;
   matrix << pose.rotation, -pose.rotation * pose.translation;
@@ -44,8 +45,8 @@ Equations equations_of(const Match& seen, const ProjectionMatrix& left,
   return rows;
 }
 
-// The null vector of the equations. A point whose last number is below the rounding error of the
-// others is at infinity.
+// The null vector of the equations. If its last number is below the rounding error of the other
+// numbers, the point is at infinity.
 Vector4d null_vector(const Equations& rows) {
   const Eigen::JacobiSVD<Equations> svd(rows, Eigen::ComputeFullV);
   Vector4d point = svd.matrixV().col(3);
@@ -68,13 +69,14 @@ Rays rays_of(const Match& pixels, const Matrix3d& left_intrinsic, const Matrix3d
   return {ray_through(left_intrinsic, pixels.left), ray_through(right_intrinsic, pixels.right)};
 }
 
-// Solves the least squares problem t_l d - t_r e = T for t_l and t_r, with the normal equations'
-// determinant |d x e|^2.
+// For the directions d and e of the two rays in the left camera's space, solves the least squares
+// problem t_l d - t_r e = T for t_l and t_r. The determinant of the normal equations is |d x e|^2.
 Triangulated midpoint(const Rays& rays, const RelativePose& pose) {
   const Vector3d d = rays.left, e = pose.rotation.transpose() * rays.right, t = pose.translation;
   const Vector3d across = d.cross(e);
   const double determinant = across.squaredNorm();
-  constexpr double kParallel = 4 * std::numeric_limits<double>::epsilon();  // 8 u
+  // 8 u (u: the unit roundoff, 2^-53).
+  constexpr double kParallel = 4 * std::numeric_limits<double>::epsilon();
   if (determinant <= kParallel * kParallel * d.squaredNorm() * e.squaredNorm()) {
     return in_scene({d.x(), d.y(), d.z(), 0}, pose, 0);
   }
@@ -140,7 +142,8 @@ Triangulated triangulate(Triangulator triangulator, const Match& pixels, const S
 }
 
 Matrix3d covariance_of(const Vector3d& point, const StereoRig& rig, double sigma) {
-  // The derivatives of the pixel K P: rows x and y of K (I - P z^T/Z)/Z, where z is the third axis.
+  // The derivatives of the pixel of a point P, K P: the first two rows of K (I - P z^T/Z)/Z, where
+  // z is the third axis and Z is the third coordinate of P.
   const auto slopes = [](const Matrix3d& intrinsic, const Vector3d& at) {
     Matrix3d inner = Matrix3d::Identity();
     inner.col(2) -= at / at.z();

@@ -7,15 +7,15 @@
 
 namespace glassbox::views {
 
-// The directions of the two pixels' rays, each in its own camera's space; at distance 1 along the
-// direction of view.
+// The directions of the two pixels' rays, each in its own camera's space, with the third coordinate
+// 1 (along the direction of view).
 struct Rays {
   Vector3d left, right;
 };
 Rays rays_of(const Match& pixels, const Matrix3d& left_intrinsic, const Matrix3d& right_intrinsic);
 
-// Parallel rays meet at infinity (C-107): then the last number is 0, and the first three are the
-// direction.
+// A triangulated point. Parallel rays meet at infinity (C-107): then the last number is 0, and the
+// first three are the direction.
 struct Triangulated {
   Vector4d point = Vector4d::Zero();  // homogeneous; (X, Y, Z, 1) if it is finite
   double gap = 0;                     // smallest distance between the rays; 0 at infinity
@@ -24,11 +24,12 @@ struct Triangulated {
   bool is_finite() const { return point.w() != 0; }
 };
 
-// The slides' midpoint method: the middle of the shortest segment from t_l d_l to T + t_r R^T d_r.
-// Rays count as parallel if they are parallel to within the rounding of their directions (8 u).
+// The slides' midpoint method: the middle of the shortest segment between the rays t_l d_l and T +
+// t_r R^T d_r, where d_l and d_r are their directions. Rays are taken for parallel if they are so
+// to within the rounding of their directions (8 u, where u = 2^-53 is the unit roundoff).
 Triangulated midpoint(const Rays& rays, const RelativePose& pose);
 
-// Two views with matched pixels.
+// Two cameras whose relative pose is known.
 struct StereoRig {
   Matrix3d left_intrinsic = Matrix3d::Identity(), right_intrinsic = Matrix3d::Identity();
   RelativePose pose;
@@ -37,15 +38,16 @@ struct StereoRig {
 // The fundamental matrix F for the rig's pixels.
 Matrix3d fundamental_of(const StereoRig& rig);
 
-// The null vector of the four equations x (p_3 P) - p_1 P, y (p_3 P) - p_2 P with both cameras'
-// matrices, in pixels; it minimises an algebraic error. The normalised version is on the planes at
-// distance 1, with each equation scaled to norm 1.
+// The linear method. A point P that the camera with the matrix rows p_1, p_2, p_3 sees at (x, y)
+// fulfils x (p_3 P) - p_1 P = 0 and y (p_3 P) - p_2 P = 0. The result is the null vector of the
+// four equations of both cameras, in pixels; it minimises an algebraic error. The normalised
+// version uses points on the planes at distance 1, with each equation scaled to norm 1.
 Triangulated triangulate_linear(const Match& pixels, const StereoRig& rig);
 Triangulated triangulate_linear_normalised(const Match& pixels, const StereoRig& rig);
 
-// The nearest pixels, in the least squares sense, that fulfil the epipolar constraint; the rays of
-// these pixels meet. Lindstrom, Triangulation Made Easy, CVPR 2010 (two iterations); Hartley and
-// Sturm, Triangulation, CVIU 68, 1997 (the roots of a polynomial of degree 6).
+// The nearest two pixels, in the least squares sense, that fulfil the epipolar constraint; their
+// rays meet. By iteration: Lindstrom, Triangulation Made Easy, CVPR 2010 (two iterations). By
+// roots: Hartley and Sturm, Triangulation, CVIU 68, 1997 (the roots of a polynomial of degree 6).
 Match corrected_by_iteration(const Match& pixels, const Matrix3d& fundamental);
 Match corrected_by_roots(const Match& pixels, const Matrix3d& fundamental);
 
@@ -61,11 +63,12 @@ Triangulated triangulate(Triangulator triangulator, const Match& pixels, const S
 // point. It gives the axes of an error ellipsoid; infinite if the rays are parallel.
 Matrix3d covariance_of(const Vector3d& point, const StereoRig& rig, double sigma);
 
-// The depth error for parallel axes: sigma_Z = Z^2 sqrt(2) sigma/(f B) (S2-13).
+// The standard deviation of the depth Z for cameras with parallel axes: Z^2 sqrt(2) sigma/(f B) for
+// the focal length f and the baseline B (S2-13).
 double depth_error_of_parallel(double depth, double sigma, double focal_length, double baseline);
 
 // The distance in pixels between the point's projection and the pixel of the match: the larger one
-// of both cameras.
+// of the two cameras' distances.
 double reprojection_error(const Vector3d& point, const Match& pixels, const StereoRig& rig);
 
 }  // namespace glassbox::views

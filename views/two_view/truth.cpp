@@ -14,10 +14,11 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr double kSame = 0.5;  // px of parallax
+constexpr double kSame = 0.5;  // px of parallax; a smaller difference is taken for the same surface
 
-// If two points in one pixel have these distances, how far apart can the other picture show them: f
-// B |1/a - 1/b|.
+// How far apart, in pixels, the other picture can show two points that are in one pixel of this
+// picture and have the distances a and b: f B |1/a - 1/b| for the focal length f and the baseline
+// B.
 double parallax_between(double pixels_per_unit, double a, double b) {
   return pixels_per_unit * std::abs(1 / a - 1 / b);
 }
@@ -59,7 +60,7 @@ TrueMatch match_of(const KnownPicture& own, const KnownPicture& other, int x, in
   return {float(place.x()), float(place.y()), visibility_in(other, place, pixels_per_unit)};
 }
 
-// Normally distributed numbers by the method of Box and Muller.
+// Two normally distributed numbers, by the method of Box and Muller.
 Vector2d gaussian(Random& random, double sigma) {
   const double radius = sigma * std::sqrt(-2 * logarithm_1p(-random.unit()));
   const double angle = 2 * std::numbers::pi * random.unit();
@@ -103,7 +104,8 @@ SampledMatches sample_matches(const Image<TrueMatch>& truth, const Image<float>&
   const std::size_t count = std::min(seen.size(), std::size_t(sampling.count));
   SampledMatches sampled;
   for (std::size_t i = 0; i < count; ++i) {
-    // The first `count` numbers of a shuffled list (Fisher and Yates).
+    // The first `count` numbers of a shuffled list (Fisher and Yates): each is drawn from those
+    // that are left.
     std::swap(seen[i], seen[i + std::size_t(random.integer(0, std::int64_t(seen.size() - i) - 1))]);
     const TrueMatch& match = truth.pixels[seen[i]];
     const auto width = std::size_t(truth.width);

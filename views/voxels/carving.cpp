@@ -62,7 +62,7 @@ bool is_carved(Verdict verdict) {
   return verdict == Verdict::kBackground || verdict == Verdict::kInconsistent;
 }
 
-// Sweeps in one direction. Returns how many voxels it carves.
+// Sweeps once, in one direction. Returns how many voxels it carves.
 std::int64_t sweep_once(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
                         const ColoringRequest& request, const std::vector<double>& ratios,
                         std::array<int, 2> direction, Solid& solid, std::int64_t& examined) {
@@ -128,8 +128,8 @@ std::vector<float> depths_of(const VoxelGrid& grid, const PackedPicture& picture
   return depths;
 }
 
-// A picture sees a voxel if nothing at the pixel of its centre is nearer by more than the voxel's
-// diagonal.
+// Gives each voxel at the surface the mean colour of the pictures that see it. A picture sees a
+// voxel if nothing at the pixel of the voxel's centre is nearer by more than the voxel's diagonal.
 void color_boundary(std::vector<PackedPicture>& pictures, const ColoringRequest& request,
                     const Solid& solid, Coloring& result) {
   const VoxelGrid& grid = result.grid;

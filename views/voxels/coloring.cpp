@@ -85,7 +85,8 @@ double bytes_needed(const PictureSet& set, const ColoringRequest& request,
                  layer_voxels(grid) *
                      double(sizeof(Verdict) + sizeof(VoxelObservation) + sizeof(VoxelPosition));
   if (plan.order == ColoringOrder::kCarve) bytes += carving_bytes(grid, surface);
-  // A byte for each cell of the previous level, and a copy while the cells are grown.
+  // A byte for each voxel of the next coarser level, and a copy of it while the marked voxels are
+  // grown.
   if (request.levels > 0) bytes += double(grid.voxels()) / 8 * 2;
   return bytes;
 }
@@ -108,10 +109,14 @@ Result<void> check_request(const PictureSet& set, const ColoringRequest& request
                                           picture.color.width, picture.color.height);
     if (is_finite(lens)) continue;
     if (projection_of(picture.camera).cast<float>().allFinite())
-      return fail("--box", "the box is too large for the numbers of the cameras",
-                  "give the box in the units of the cameras");
-    return fail(picture.name, "the numbers of its camera are too large to project voxels",
-                "give K, R and t in the units of the box");
+      return fail("--box",
+                  "the box is so large that its voxels cannot be projected into the pictures",
+                  "give a smaller box, in the same unit as the positions of the cameras");
+    return fail(
+        picture.name,
+        "the numbers of its camera are so large that voxels cannot be projected into the picture",
+        "give the camera's intrinsic matrix K, rotation R and translation t in the unit of the "
+        "box");
   }
   const double bytes = double(plan.bytes);
   if (bytes <= double(request.most_bytes)) return {};

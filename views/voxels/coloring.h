@@ -1,7 +1,7 @@
 // Voxel colouring (Seitz and Dyer 1997): finds the voxels of a box that have one colour in all
-// pictures that see them (S1-15 to S1-21). Voxels are visited in an order in which an occluder is
-// decided before what it hides. Where there is no such order, space carving is used (Kutulakos and
-// Seitz 2000).
+// pictures that see them (S1-15 to S1-21). Voxels are visited in an order in which a voxel is
+// decided before those that it may hide. Where there is no such order, space carving is used
+// (Kutulakos and Seitz 2000).
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ namespace glassbox::views {
 enum class ColoringOrder {
   kAuto,   // a sweep if the cameras allow one, else carving
   kSweep,  // one sweep, even if its result is wrong for these cameras (C-90)
-  // Sweeps along all six directions, each with the cameras in front of its plane, until nothing
-  // more is carved.
+  // Sweeps along all six directions, each with the cameras that its plane has already passed, until
+  // nothing more is carved.
   kCarve,
 };
 std::string_view name_of(ColoringOrder order);
@@ -36,8 +36,8 @@ struct ColoringRequest {
   // The option that asks for this size; error messages name it.
   std::string size_option = kVoxelOption;
   ColoringOrder order = ColoringOrder::kAuto;
-  // For kSweep: the axis, 0 .. 2, and 1 or -1; absent: chosen by classify(), or the z axis if the
-  // cameras surround the scene.
+  // For kSweep: the axis along which it goes, 0 .. 2, and its sign, 1 or -1. If absent, it is
+  // chosen by classify(), or is the z axis if the cameras surround the scene.
   std::optional<std::array<int, 2>> direction;
   ColoringSettings settings;
   // Coarse to fine: number of coarser levels, each with voxels twice as large; 0: none.
@@ -47,19 +47,20 @@ struct ColoringRequest {
   std::uint64_t most_bytes = std::uint64_t(1) << 32;
 };
 
-// Called with a layer that was classified: its number in the order of visiting, and the verdicts of
-// its voxels.
+// Called with a layer that was classified: its number in the order of visiting, its voxels, and
+// their verdicts.
 using LayerWatcher = std::function<void(int layer, std::span<const VoxelRun> runs,
                                         std::span<const Verdict> verdicts)>;
 
-// How the voxels are visited: the request, with everything decided that it leaves open.
+// How the voxels are visited: the choices of the request, and decisions for everything that it
+// leaves open.
 struct ColoringPlan {
   VoxelGrid grid;
   TraversalKind traversal = TraversalKind::kHalfSpace;
   ColoringOrder order = ColoringOrder::kSweep;  // kSweep or kCarve
   bool in_shells = false;  // for a sweep: outwards around the cameras instead of by planes
   std::array<int, 2> direction{2, 1};  // for a sweep by planes: an axis of the grid, and 1 or -1
-  std::uint64_t bytes = 0;  // of everything whose size depends on the pictures and voxels
+  std::uint64_t bytes = 0;  // memory for everything whose size depends on the pictures and voxels
 };
 
 struct Coloring : ColoringPlan {
@@ -67,17 +68,20 @@ struct Coloring : ColoringPlan {
   bool is_finished = true;           // for carving: the last pass carved nothing
   std::int64_t examined = 0;         // voxels of the finest level
   std::int64_t examined_coarse = 0;  // voxels of the coarser levels
-  VerdictCounts counts{};  // of the finest level; for carving, of the surface that remains
+  // How often each verdict was given, at the finest level or, for carving, on the surface that
+  // remains.
+  VerdictCounts counts{};
   std::vector<ColoredVoxel> voxels;
   std::vector<VoxelRun> solid;  // all voxels that carving leaves, the interior included
   double milliseconds = 0;      // in total, including the packing of the pictures
 };
 
-// Refused: what grid_of refuses, fewer than one picture, cameras whose numbers are too large for
-// float, a direction or coarser levels together with carving, and anything that would need more
-// than `most_bytes`. The memory is computed before any of it is allocated: the pictures as they
-// were read and as they are swept with their tiles, one layer, and as many coloured voxels as the
-// box has at its six sides; their real number is not known in advance.
+// An error for everything that grid_of refuses, for an empty list of pictures, for cameras whose
+// numbers are too large for float, for a direction or coarser levels together with carving, and for
+// anything that would need more than `most_bytes`. The memory is computed before any of it is
+// allocated: for the pictures as they were read, for the pictures as they are swept with their
+// tiles, for one layer, and for as many coloured voxels as the box has at its six sides; their real
+// number is not known in advance.
 Result<ColoringPlan> plan_coloring(const PictureSet& set, const ColoringRequest& request);
 
 // Colours the voxels of a plan. `watch` is called for each layer of the finest level; carving has

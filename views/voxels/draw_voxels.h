@@ -20,11 +20,11 @@ VoxelPicture draw_voxels(const VoxelGrid& grid, const std::vector<ColoredVoxel>&
                          const PinholeCamera& camera, int width, int height, Rgba8 background);
 
 struct PictureErrors {
-  // levels of 0 .. 255, over the channels of those pixels of the object that a voxel covers.
+  // In levels of 0 .. 255, over the channels of those pixels of the object that a voxel covers.
   double rms = 0;
-  double rms_percent = 0;  // of 255
-  double covered = 0;      // share of the object's pixels that a voxel covers
-  double beside = 0;  // pixels covered outside of the object, as a share of the object's pixels
+  double rms_percent = 0;   // `rms` as a percentage of 255
+  double covered = 0;       // fraction of the object's pixels that a voxel covers
+  double beside = 0;        // pixels covered outside of the object, divided by the object's pixels
   std::int64_t pixels = 0;  // the object's; all pixels if the picture has no matte
 };
 PictureErrors voxel_picture_errors(const VoxelPicture& drawn, const CalibratedPicture& picture);

@@ -26,13 +26,13 @@ struct GridPicture {
 GridPicture grid_picture(const VoxelGrid& grid, const ProjectionMatrix& pixel_from_world, int width,
                          int height);
 GridPicture grid_picture(const VoxelGrid& grid, const PackedPicture& picture);
-// Whether all its numbers are finite as floats; then those of every look-up are, too.
+// Whether all numbers of the camera are finite as floats; then those of every look-up are, too.
 bool is_finite(const GridPicture& lens);
 
 // The row of voxels along `axis` through `at`; its voxel 0 is the one with coordinate 0.
 RowPicture row_of(const GridPicture& lens, const PackedPicture& picture, const VoxelPosition& at,
                   int axis);
-// The same without the picture's pixels.
+// The same row of voxels, without the picture's pixels.
 RowPicture row_of(const GridPicture& lens, const VoxelPosition& at, int axis);
 
 // The homogeneous position of voxel i of a row in the picture.
@@ -139,7 +139,8 @@ void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint 
     top = std::min(top, v[i]);
     bottom = std::max(bottom, v[i]);
   }
-  // Pixels whose centres are inside, limited to the picture before conversion to integers.
+  // The pixels whose centres are inside the bounding box, limited to the picture before conversion
+  // to integers.
   const int x0 = int(std::ceil(std::clamp(left - 0.5f, 0.0f, lens.width)));
   const int x1 = int(std::floor(std::clamp(right - 0.5f, -1.0f, lens.width - 1)));
   const int y0 = int(std::ceil(std::clamp(top - 0.5f, 0.0f, lens.height)));
@@ -169,9 +170,11 @@ void for_each_pixel(const GridPicture& lens, const Projected& centre, Footprint 
 
 // The pictures' information about one voxel.
 struct VoxelObservation {
-  ColorSums sums;     // over the pixels where the voxel is not hidden, in codes
-  int views = 0;      // pictures with at least one such pixel
-  double spread = 0;  // summed over these pictures, codes
+  ColorSums sums;  // over the pixels where the voxel is not hidden, in codes
+  int views = 0;   // pictures with at least one such pixel
+  // The deviation around the voxel within each picture that sees it, summed over these pictures, in
+  // codes.
+  double spread = 0;
   double least_spread = 0;
   bool is_background = false;
   bool is_inconsistent = false;  // found before all pictures were looked at

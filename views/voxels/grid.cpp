@@ -13,7 +13,7 @@ Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes
     return fail(kVoxelOption, "a voxel's edge must be positive", "give a length in world units");
   if (!((box.high - box.low).minCoeff() > 0) || !box.low.allFinite() || !box.high.allFinite()) {
     return fail("--box", "the box is empty",
-                "give the corners of least and of greatest coordinates");
+                "give the corner of least coordinates, then the corner of greatest coordinates");
   }
   Vector3d low = Vector3d::Constant(INFINITY), high = Vector3d::Constant(-INFINITY);
   for (const Vector3d& p : corners_of(box)) {

@@ -15,7 +15,7 @@ struct VoxelPosition {
   friend bool operator==(const VoxelPosition&, const VoxelPosition&) = default;
 };
 
-// The index of a voxel among all of a box with so many along each axis, x first.
+// The index of a voxel in a box with `count` voxels along each axis; x changes fastest.
 inline std::size_t voxel_index(const std::array<int, 3>& count, const VoxelPosition& at) {
   return (std::size_t(at.z) * std::size_t(count[1]) + std::size_t(at.y)) * std::size_t(count[0]) +
          std::size_t(at.x);
@@ -27,7 +27,7 @@ inline std::uint64_t key_of(const VoxelPosition& at) {
 }
 
 struct VoxelGrid {
-  Vector3d corner = Vector3d::Zero();    // of voxel (0, 0, 0), in the world
+  Vector3d corner = Vector3d::Zero();    // low corner of voxel (0, 0, 0), in the world
   Matrix3d axes = Matrix3d::Identity();  // columns: unit vectors of the grid's x, y and z axes
   double size = 1;                       // edge of a voxel, in world units
   std::array<int, 3> count{1, 1, 1};     // voxels along x, y, z
@@ -51,15 +51,16 @@ struct VoxelGrid {
 inline constexpr int kMostVoxelsAlong = 4096;
 inline constexpr const char* kVoxelOption = "--voxel";
 
-// A grid of voxels of this size, along these axes, that covers the box. Refused, with kVoxelOption
-// in the message: sizes that are not positive, and more than kMostVoxelsAlong voxels along an axis.
+// A grid of voxels of this size, along these axes, that covers the box. An error with kVoxelOption
+// in its message for sizes that are not positive, and for more than kMostVoxelsAlong voxels along
+// an axis.
 Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes);
 
 // The voxel size with which a grid along the world's axes has this many voxels along the box's
 // longest side.
 double size_for(const WorldBox& box, int voxels_along);
 
-// The voxel size with which it has about this many voxels in total.
+// The voxel size with which a grid has about this many voxels in total.
 double size_for_total(const WorldBox& box, double voxels);
 
 }  // namespace glassbox::views

@@ -1,6 +1,6 @@
 // The inner loop of the sweep: looks up a row of voxels in all pictures. Compiled once for each
-// instruction set; it uses floats in one written order and sums of integers, so that every target
-// gives the same bytes.
+// instruction set. It uses floats in the order of operations that the code states, and sums of
+// integers, so that the result has the same bytes for every instruction set.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,8 @@ struct RowPicture {
 // The sums over the pictures for each voxel of a row; the arrays have room for kMostLanes more
 // numbers than there are voxels.
 struct RowSums {
-  std::int32_t* count;  // pictures that see it, or kIsBackground, or kIsInconsistent
+  // Number of pictures that see the voxel, or kIsBackground, or kIsInconsistent.
+  std::int32_t* count;
   std::int32_t *a, *b, *c, *squares;
   std::int32_t *spread, *least_spread;
 };
@@ -32,20 +33,22 @@ inline constexpr std::int32_t kIsBackground = -1, kIsInconsistent = -2;
 inline constexpr int kMostLanes = 16;
 
 struct VoxelKernels {
-  // Sums over voxels first .. first + count - 1. A voxel stops being summed when it is background
-  // in one of the pictures, or when its sum of squared deviations, in codes, is above
-  // `most_deviations` (both are multiplied by K, the number of pixels): the sum can only grow. The
-  // second test is made after some of the pictures (is_trial).
+  // Sums over voxels first .. first + count - 1. A voxel is given up when it is background in one
+  // of the pictures, or when its sum of squared deviations, in codes, is above `most_deviations`,
+  // because that sum can only grow. (In this comparison both sides are multiplied by the number of
+  // pixels.) The comparison is made only after some of the pictures (is_trial).
   void (*sum_row)(const RowPicture* pictures, int picture_count, int first, int count,
                   float most_deviations, const RowSums& out);
 };
 
 const VoxelKernels& voxel_kernels(Target target);
 
-// The early end of sum_row, for the single voxels of other code: K squares - |sums|^2 > K most. The
-// factor subtracts what rounding may have added to the products.
+// sum_row gives a voxel up early if K * squares - |sums|^2 > K * most_deviations, where K is the
+// number of pixels. The first product is multiplied by this factor, which subtracts what rounding
+// may have added to the products.
 inline constexpr float kShareKept = 1 - 0x1p-20f;
-// Number of pictures looked at between two tests: is_trial is set in every fourth.
+// The number of pictures that sum_row looks at between two tests of the colours: is_trial is set in
+// every fourth.
 inline constexpr int kPicturesBetweenTrials = 4;
 
 }  // namespace glassbox::views

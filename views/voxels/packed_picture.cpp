@@ -19,8 +19,8 @@ std::uint32_t word_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return a | b << kChannelBits | c << (2 * kChannelBits);
 }
 
-// The deviation of the object's pixels around each pixel. Background pixels do not count, because
-// an outline is not an edge on the surface.
+// The deviation of the colours in the 3 x 3 pixels around each pixel. Background pixels are left
+// out, because an outline is not an edge on the surface.
 std::vector<std::uint32_t> spread_of(const PackedPicture& picture) {
   std::vector<std::uint32_t> spread(picture.words.size(), 0);
   for (int y = 0; y < picture.height; ++y) {

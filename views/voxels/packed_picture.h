@@ -12,7 +12,8 @@
 namespace glassbox::views {
 
 // Bit 31: a coloured voxel in front hides this pixel; bit 30: background. Below are three channels
-// of ten bits each, in quarters of a level: R, G, B; or L times its weight, a + 128, b + 128.
+// of ten bits each, in quarters of a level: R, G, B; or, for CIELab, L times its weight, a + 128, b
+// + 128.
 inline constexpr std::uint32_t kHidden = 0x80000000u, kBackground = 0x40000000u;
 inline constexpr int kCodesPerLevel = 4, kChannelBits = 10;
 inline constexpr std::uint32_t kChannelMask = 1023;
@@ -37,7 +38,7 @@ struct PackedPicture {
   bool shows_whole_object = false;
   std::vector<std::uint32_t> words;
   // If the settings need it: the deviation of the object's colours in the 3 x 3 pixels around each
-  // pixel, in the same codes.
+  // pixel, in quarters of a level like the colours in `words`.
   std::vector<std::uint32_t> spread;
   // If the words are not RGB: the pixels' RGB, whose mean is the colour of a voxel.
   std::vector<Rgba8> rgb;

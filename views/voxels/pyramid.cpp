@@ -6,7 +6,8 @@ namespace glassbox::views {
 
 namespace {
 
-// The positions of a pixel's four pixels; at the end of a picture of odd size there are fewer.
+// The indices of those pixels of the finer picture that are covered by one pixel of the coarser
+// picture and are not background: at most four, and fewer at the end of a picture of odd size.
 struct PixelBlock {
   std::size_t at[4];
   int count = 0;
@@ -36,8 +37,8 @@ std::uint32_t mean_word(const PackedPicture& picture, const PixelBlock& block) {
   return mean;
 }
 
-// The mean of its four pixels' deviations is used for the deviation around a pixel of the coarser
-// picture.
+// The deviation around a pixel of the coarser picture is taken to be the mean of the deviations
+// around the finer pixels that it covers.
 std::uint32_t mean_spread(const PackedPicture& picture, const PixelBlock& block) {
   std::uint32_t sum = 0;
   for (int i = 0; i < block.count; ++i) sum += picture.spread[block.at[i]];

@@ -5,8 +5,8 @@
 
 namespace glassbox::views {
 
-// A pixel is the mean of those of its four pixels that belong to the object. It is background only
-// if all four are. No pixel is hidden.
+// A pixel of the result covers four pixels of the picture; it is the mean of those that belong to
+// the object, and background only if all four are. No pixel of the result is marked as hidden.
 PackedPicture half_size(const PackedPicture& picture);
 
 }  // namespace glassbox::views

@@ -8,13 +8,13 @@
 
 namespace glassbox::views {
 
-// The test whether the colours of a voxel in the pictures count as one colour. K is the number of
-// pixels that see the voxel; s is the standard deviation of their colours, pooled over three
+// The test whether the colours of a voxel in the pictures are taken for one colour. K is the number
+// of pixels that see the voxel; s is the standard deviation of their colours, pooled over three
 // channels and with K - 1 as the divisor.
 enum class Consistency {
-  kDeviation,  // s < T
-  // 3 (K - 1) s^2 / noise^2 is below its chi-squared quantile; a share `significance` of all voxels
-  // that do have one colour exceeds it.
+  kDeviation,  // s < T, the threshold
+  // 3 (K - 1) s^2 / noise^2 is below a quantile of the chi-squared distribution: the number that a
+  // fraction `significance` of all voxels that do have one colour exceeds.
   kLikelihood,
   // s < k1 M + k2, where M is the mean over the pictures of the deviation within each picture
   // around the voxel.
@@ -38,10 +38,11 @@ std::string_view name_of(SingleViewPolicy alone);
 
 struct ColoringSettings {
   Consistency consistency = Consistency::kDeviation;
-  double threshold = 18;        // T, levels of 0 .. 255; for CIELab in its own units
-  double noise = 6;             // for kLikelihood, in the same units
-  double significance = 0.001;  // for kLikelihood
-  double k1 = 0.5, k2 = 8;      // for kAdaptive; k2 in the threshold's units
+  double threshold = 18;  // T, levels of 0 .. 255; for CIELab in its own units
+  double noise = 6;       // for kLikelihood, in the units of the threshold
+  // For kLikelihood: fraction of the voxels of one colour that are rejected.
+  double significance = 0.001;
+  double k1 = 0.5, k2 = 8;  // for kAdaptive; k2 in the threshold's units
   ColorSpace space = ColorSpace::kRgb;
   double lightness = 0.5;  // for kLab: the weight of L
   // A voxel at an edge in all pictures is coloured in spite of different colours, if the deviation
@@ -52,7 +53,7 @@ struct ColoringSettings {
   OcclusionUpdate update = OcclusionUpdate::kLayer;
   SingleViewPolicy alone = SingleViewPolicy::kReject;
   Target target = best_target();
-  int threads = 0;  // 0: all; the result does not depend on it
+  int threads = 0;  // 0: as many as the machine has; the result does not depend on it
 };
 
 }  // namespace glassbox::views

@@ -26,7 +26,7 @@ double log_gamma(double a) {
   return (a - 0.5) * logarithm(a) - a + kHalfLogOfTwoPi + series - logarithm(product);
 }
 
-// The regularised incomplete gamma function Q(a, x), from the series for P or from Lentz's
+// The regularised incomplete gamma function Q(a, x), from the series for P = 1 - Q or from Lentz's
 // continued fraction for Q, whichever converges quickly (Press et al., Numerical Recipes, 6.2).
 double gamma_tail(double a, double x) {
   if (!(x > 0)) return 1;
@@ -78,7 +78,7 @@ double chi_squared_quantile(double degrees, double tail) {
     const double middle = (low + high) / 2;
     (chi_squared_tail(degrees, middle) > tail ? low : high) = middle;
   }
-  // Nine digits, the accuracy of the series.
+  // Rounds to nine digits, the accuracy of the series.
   const double scale = whole_power(10, std::max(0, 9 - int(std::ceil(logarithm_10(high)))));
   return std::round(high * scale) / scale;
 }

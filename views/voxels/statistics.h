@@ -27,7 +27,7 @@ struct Welford {
 struct ColorSums {
   std::int64_t count = 0;
   std::int64_t channel[3] = {0, 0, 0};
-  std::int64_t squares = 0;  // of all three channels
+  std::int64_t squares = 0;  // sum of the squares of all three channels
 
   void add(std::int64_t a, std::int64_t b, std::int64_t c) {
     ++count;
@@ -41,17 +41,18 @@ struct ColorSums {
     for (int i = 0; i < 3; ++i) channel[i] += other.channel[i];
     squares += other.squares;
   }
-  // The sum over pixels and channels of (x - mean of its channel)^2, computed as (K sum x^2 - (sum
-  // x)^2) / K, where only the division is rounded.
+  // The sum over pixels and channels of (x - mean of its channel)^2. For a channel of K pixels it
+  // is computed as (K sum x^2 - (sum x)^2) / K, where only the division is rounded.
   double deviations() const;
-  // The variance pooled over the channels: deviations() / (3 (K - 1)); 0 for fewer than two pixels.
+  // The variance pooled over the channels: deviations() / (3 (K - 1)) for K pixels; 0 for fewer
+  // than two pixels.
   double variance() const { return count > 1 ? deviations() / (3 * double(count - 1)) : 0; }
 };
 
-// The number that a chi-squared variable with so many degrees of freedom exceeds with probability
+// The number that a chi-squared variable with this many degrees of freedom exceeds with probability
 // `tail`, 0 < tail < 1; to nine digits.
 double chi_squared_quantile(double degrees, double tail);
-// The probability that such a variable exceeds x.
+// The probability that a chi-squared variable with this many degrees of freedom exceeds x.
 double chi_squared_tail(double degrees, double x);
 
 }  // namespace glassbox::views

@@ -13,8 +13,8 @@ namespace glassbox::views {
 
 namespace {
 
-// An order with steps of about the golden section, so that the first few pictures look from all
-// around.
+// An order of the pictures in steps of about 0.38 of their number (the golden section), so that the
+// first few pictures look from all around.
 std::vector<std::size_t> scattered_order(std::size_t count) {
   std::vector<std::size_t> order(count);
   std::size_t step = std::max<std::size_t>(1, std::size_t(double(count) * 0.381966));
@@ -56,12 +56,12 @@ struct Sweep::Block {
   std::vector<std::size_t> places;  // of the coloured voxels, as indices into the layer's verdicts
   std::vector<RowPicture> rows, active_rows;
   std::vector<std::int32_t> sums[7];
-  std::vector<std::size_t>
-      open;  // indices into active_: pictures in which some voxel of the part may be visible
+  // Indices into active_: the pictures in which some voxel of the part may be visible.
+  std::vector<std::size_t> open;
 };
 
-// Voxels from .. from + count - 1 of a run, whose verdicts begin at `at`, and the run's rows in the
-// pictures of active_.
+// Voxels from .. from + count - 1 of a run, whose verdicts begin at `at`. `rows` has the run's row
+// in each of the pictures of active_.
 struct Sweep::Part {
   const VoxelRun& run;
   int from, count;
@@ -279,8 +279,8 @@ void Sweep::put_in_order(Block& block) {
 }
 
 void Sweep::classify_part(const Part& part, Block& block) {
-  // Leaves out pictures in which nothing of the part is visible; the tests of colours stay at the
-  // same places in the sequence.
+  // Leaves out pictures in which nothing of the part is visible. The colours are still tested after
+  // the same pictures as without this, so that the verdicts are the same.
   block.active_rows.clear();
   std::size_t trial = 0;
   for (const std::size_t i : block.open) {
@@ -357,8 +357,9 @@ VoxelObservation Sweep::look_up(const VoxelRun& run, int i) const {
       return seen;
     }
     if (here.count > 0) {
-      // With several pixels, their own deviation is part of the mean M, as defined; a single pixel
-      // has none, so the deviation around it is used.
+      // M is the mean over the pictures of the deviation within each picture. If the voxel covers
+      // several pixels of a picture, it is the deviation of these pixels; a single pixel has none,
+      // so the deviation around it is used.
       if (here.count > 1) spread = std::sqrt(here.variance());
       seen.least_spread = seen.views == 0 ? spread : std::min(seen.least_spread, spread);
       seen.spread += spread;

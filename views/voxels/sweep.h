@@ -21,8 +21,8 @@ enum class Verdict : std::uint8_t {
   kBackground,  // a picture shows background there, or contains the whole object but not this voxel
   // No picture sees it: coloured voxels are in front of it, or it is outside of all pictures.
   kHidden,
-  kAlone,         // fewer than two pictures see it, so that colours cannot be compared
-  kInconsistent,  // the colours differ
+  kAlone,         // only one picture sees it, so that colours cannot be compared
+  kInconsistent,  // the pictures show different colours
   kColored,
 };
 inline constexpr int kVerdicts = 5;
@@ -48,7 +48,7 @@ struct ColoredVoxel {
   VoxelPosition at;
   Rgba8 color;              // the mean of its pixels
   std::uint16_t views = 0;  // pictures that see it
-  float deviation = 0;      // pooled over the channels, levels
+  float deviation = 0;  // standard deviation of its colours, pooled over the channels, in levels
   friend bool operator==(const ColoredVoxel&, const ColoredVoxel&) = default;
 };
 
@@ -56,15 +56,15 @@ struct ColoredVoxel {
 // not proved empty (space carving).
 enum class Occluders { kColored, kNotCarved };
 
-// For the likelihood ratio: the chi-squared quantile for K pixels divided by its degrees of
-// freedom, for K = 0 .. kExactRatios. Empty for other tests. A request computes it once for all of
-// its sweeps.
+// For the likelihood ratio (Consistency::kLikelihood): the chi-squared quantile for K pixels
+// divided by its degrees of freedom, for K = 0 .. kExactRatios. Empty for other tests. A request
+// computes it once for all of its sweeps.
 inline constexpr std::size_t kExactRatios = 256;
 std::vector<double> likelihood_ratios(const ColoringSettings& settings);
 
 class Sweep {
 public:
-  // All arguments must outlive the sweep; the pictures' hidden bits belong to it. `ratios` is
+  // All arguments must outlive the sweep, which sets the hidden bits of the pictures. `ratios` is
   // likelihood_ratios(settings).
   Sweep(const VoxelGrid& grid, std::vector<PackedPicture>& pictures,
         const ColoringSettings& settings, const std::vector<double>& ratios);
@@ -76,9 +76,8 @@ public:
              Occluders occluders);
 
   std::span<const Verdict> verdicts() const { return verdicts_; }  // of the last layer
-  const std::vector<VoxelObservation>& observations() const {
-    return observations_;
-  }  // of its coloured voxels
+  // The observations and the positions of the last layer's coloured voxels.
+  const std::vector<VoxelObservation>& observations() const { return observations_; }
   const std::vector<VoxelPosition>& colored() const { return colored_; }
 
 private:
@@ -103,7 +102,7 @@ private:
   std::vector<PackedPicture>& pictures_;
   const ColoringSettings& settings_;
   std::vector<GridPicture> lenses_;
-  // Order of the pictures, in which different directions of view come early.
+  // The order in which pictures are looked at: different directions of view come early.
   std::vector<std::size_t> order_;
   std::vector<std::size_t> active_;  // those of order_ that are active
   const std::vector<double>& ratios_;

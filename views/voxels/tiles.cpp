@@ -10,7 +10,8 @@ namespace {
 constexpr int kTile = 4, kTileShift = 2;  // px
 constexpr std::uint32_t kOneBit = 63;
 
-// Calls each(word, mask) for the bits first .. last of a row of tiles, until it returns false.
+// Calls each(word, mask) for the bits first .. last of a row of tiles, until it returns false:
+// `word` is the index of a word of 64 bits, `mask` has its bits that are in the range.
 template <class Each>
 bool all_words(std::int64_t first, std::int64_t last, const Each& each) {
   for (std::int64_t word = first / 64; word <= last / 64; ++word) {
@@ -78,7 +79,7 @@ PixelRect PixelTiles::clipped_to_picture(const PixelRect& rect) const {
           std::min<std::int64_t>(rect.bottom, pixels_high_ - 1)};
 }
 
-// Also true if there are no pixels.
+// Whether the bits of all tiles in the rectangle are set; also true if there are no pixels.
 bool PixelTiles::has_all(const std::vector<std::uint64_t>& bits, const PixelRect& inside) const {
   if (inside.left > inside.right) return true;
   for (std::int64_t y = inside.top >> kTileShift; y <= inside.bottom >> kTileShift; ++y) {
@@ -105,8 +106,9 @@ std::optional<PixelRect> rect_of(const GridPicture& lens, const VoxelBox& box) {
   const ProjectionMatrix& m = lens.pixel_from_grid;
   const Vector3d low(box.low.x + 0.5, box.low.y + 0.5, box.low.z + 0.5),
       high(box.high.x + 0.5, box.high.y + 0.5, box.high.z + 0.5);
-  // In float, the start, the product and the sum are each rounded once, by at most 2^-24 times this
-  // magnitude; one more covers the higher powers.
+  // A position in float has three roundings (of the start, the product and the sum), each by at
+  // most 2^-24 times the magnitude that `reach` computes. A fourth 2^-24 covers the products of
+  // these errors.
   constexpr double kRounding = 4 * 0x1p-24;
   const Vector3d reach = kRounding * (m.leftCols<3>().cwiseAbs() * high + m.col(3).cwiseAbs());
   double nearest = INFINITY, left = INFINITY, right = -INFINITY, top = INFINITY, bottom = -INFINITY;

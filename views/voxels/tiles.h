@@ -1,8 +1,10 @@
-// Blocks of voxels that need no look-up, because they are entirely background or entirely hidden.
+// Finds blocks of voxels that need no look-up, because they are entirely background or entirely
+// hidden.
 //
 // A picture's pixels are grouped in tiles of 4 x 4. If all tiles around a block's projection are
-// background, or are hidden in every picture, then so are all voxels of the block, and their
-// verdicts are those that the look-up of each voxel would have given.
+// background in one picture, all voxels of the block are background; if they are hidden in every
+// picture, all voxels of the block are hidden. These are the verdicts that the look-up of each
+// voxel would have given.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +15,8 @@
 
 namespace glassbox::views {
 
-// Columns and rows of pixels, both ends included; may extend beyond the picture.
+// The pixels of columns left .. right and rows top .. bottom, both ends included; the rectangle may
+// extend beyond the picture.
 struct PixelRect {
   std::int64_t left = 0, top = 0, right = 0, bottom = 0;
 };
@@ -27,8 +30,8 @@ public:
 
   // To be called when a pixel becomes hidden that was neither hidden nor background.
   void hide(int column, int row);
-  // is_background(): every voxel inside the rectangle is background in this picture. is_hidden():
-  // every voxel inside it is hidden in this picture, and not background.
+  // is_background(): every voxel that is projected into the rectangle is background in this
+  // picture. is_hidden(): every such voxel is hidden in this picture, and not background.
   bool is_background(const PixelRect& rect) const;
   bool is_hidden(const PixelRect& rect) const;
 
@@ -41,10 +44,11 @@ private:
   int pixels_wide_, pixels_high_;
   bool shows_whole_object_;         // everything outside of the picture is background
   std::vector<std::uint8_t> left_;  // pixels of each tile that are visible or background
-  std::vector<std::uint64_t> background_, hidden_;  // one bit for each tile: the whole tile is
+  // one bit for each tile: set if all of its pixels are background, or hidden
+  std::vector<std::uint64_t> background_, hidden_;
 };
 
-// A box of voxels, both ends included.
+// A box of voxels from `low` to `high`, both included.
 struct VoxelBox {
   VoxelPosition low, high;
 };

@@ -9,7 +9,7 @@ namespace glassbox::views {
 
 namespace {
 
-// The point of the box minus a camera, x - c, that is smallest along a direction.
+// The difference x - c of a point x of the box and a camera c that is smallest along the direction.
 Vector3d least_along(const Vector3d& direction, const std::vector<Vector3d>& cameras,
                      const Vector3d& low, const Vector3d& high) {
   const Vector3d corner = (direction.array() > 0).select(low, high);
@@ -18,8 +18,9 @@ Vector3d least_along(const Vector3d& direction, const std::vector<Vector3d>& cam
   return corner - camera;
 }
 
-// Gilbert's algorithm (1966): finds the point nearest to the origin in the convex hull of all x -
-// c. If that point is not the origin, it is a direction along which the box is beyond all cameras.
+// Gilbert's algorithm (1966): finds the point nearest to the origin in the convex hull of all
+// differences x - c of a point x of the box and a camera c. If that point is not the origin, it is
+// a direction along which the box is beyond all cameras.
 std::optional<Vector3d> separating_direction(const std::vector<Vector3d>& cameras,
                                              const Vector3d& low, const Vector3d& high) {
   Vector3d nearest = (low + high) / 2 - cameras.front();
@@ -97,9 +98,10 @@ Matrix3d axes_along(const Vector3d& direction) {
   int axis = 0;
   direction.cwiseAbs().maxCoeff(&axis);
   const Vector3d from = Vector3d::Unit(axis) * (direction[axis] > 0 ? 1 : -1);
-  // The quaternion that turns `from` into `to`, a unit vector: cos(a/2) and sin(a/2) n, computed
-  // from cos a and the cross product sin(a) n. Eigen's FromTwoVectors computes the same, but also
-  // contains a solver for opposite vectors; these two are at most 55 degrees apart.
+  // The quaternion that turns `from` into `to`, a unit vector. With the angle a between them and
+  // the axis n it is cos(a/2) and sin(a/2) n, computed from cos a and the cross product sin(a) n.
+  // Eigen's FromTwoVectors computes the same, but also contains a solver for opposite vectors;
+  // these two vectors are at most 55 degrees apart.
   const Vector3d to = direction.normalized();
   const double twice_cosine = std::sqrt((1 + to.dot(from)) * 2);  // 2 cos(a/2)
   const Vector3d along = from.cross(to) * (1 / twice_cosine);

@@ -18,9 +18,9 @@ namespace glassbox::views {
 enum class TraversalKind {
   // The cameras are beyond a face of the box along all three axes; each axis gives an order.
   kOctant,
-  kQuadrant,   // along two axes
-  kHalfSpace,  // along one axis
-  kOblique,    // along no axis, but along another direction
+  kQuadrant,   // the cameras are beyond a face along two axes
+  kHalfSpace,  // the cameras are beyond a face along one axis
+  kOblique,    // the cameras are beyond the box along another direction, but along no axis
   // All cameras are inside the box: shells outwards, if no part of the scene is between them.
   kEmbedded,
   kSurrounded,  // no order: a part of the box is between cameras
@@ -31,16 +31,17 @@ struct Traversal {
   TraversalKind kind = TraversalKind::kSurrounded;
   // For each axis: 1 if the coordinate grows away from all cameras, -1 if it falls, 0 if neither.
   std::array<int, 3> away{0, 0, 0};
-  // The direction of kOblique and of the three kinds before it, of unit length, in the coordinates
-  // of classify()'s arguments: for each camera c and each point x of the box, direction . (x - c) >
-  // 0.
+  // For all kinds but kEmbedded and kSurrounded: a direction away from the cameras, of unit length,
+  // in the coordinates of classify()'s arguments. For each camera c and each point x of the box,
+  // direction . (x - c) > 0.
   std::optional<Vector3d> direction;
 };
 
 // Classifies cameras and a box from `low` to `high`, all in the same coordinates. An order that is
 // returned is always correct: its plane is checked against every camera and every corner. The
-// search for an oblique direction ends after kDirectionSteps steps, so a gap that is very thin
-// compared with the whole may be missed; the answer is then kSurrounded, which is safe (C-90).
+// search for an oblique direction ends after kDirectionSteps steps, so it may miss a gap between
+// the cameras and the box that is very thin compared with both. The answer is then kSurrounded,
+// which is safe (C-90).
 inline constexpr int kDirectionSteps = 20000;
 Traversal classify(const std::vector<Vector3d>& cameras, const Vector3d& low, const Vector3d& high);
 

@@ -38,9 +38,10 @@ void for_each_triangle(const Scene& scene, const VoxelGrid& grid, const Each& ea
   }
 }
 
-// The lines are shifted slightly away from the centres, by numbers that corners with few digits
-// cannot have: in such scenes voxel centres are often exactly in line with an edge. A line that
-// meets an edge nevertheless counts it once too often or not at all.
+// The lines that are intersected with the triangles pass the voxels' centres at a slight distance.
+// Exactly through the centres, they would often meet an edge in scenes whose corners have few
+// digits. The distances are numbers that such corners cannot have. A line that meets an edge
+// nevertheless counts it once too often or not at all.
 constexpr double kLineOffsetX = 0x1.6a09e6p-22, kLineOffsetY = 0x1.bb67aep-23;
 
 class CrossingLists {
@@ -114,7 +115,6 @@ public:
   double distance(const Vector3d& p) const {
     if (points_.empty()) return INFINITY;
     const std::array<int, 3> middle = cell(p);
-    // A point outside of all cells is at least as far away as their bounding box.
     double nearest = INFINITY;
     const int most = std::max({count_[0], count_[1], count_[2]});
     for (int radius = 0; radius <= most; ++radius) {
@@ -122,6 +122,8 @@ public:
         for (std::uint32_t i = begin_[c]; i < begin_[c + 1]; ++i)
           nearest = std::min(nearest, (points_[order_[i]] - p).squaredNorm());
       });
+      // Points in cells that were not visited are at least this far from p. (If p is outside of all
+      // cells, it is up to outside(p) away from the middle cell.)
       const double certain = radius * cell_ - outside(p);
       if (certain > 0 && nearest <= certain * certain) break;
     }
@@ -280,9 +282,9 @@ Result<std::vector<Image<float>>> true_distances(const Scene& scene, const Pictu
 }
 
 double surface_error_bytes(const PictureSet& set, double voxels) {
-  // A distance for each pixel; the points that are seen once and those seen twice; and the voxels'
-  // centres. For one of these sets at a time, three numbers for each point say in which cell it is
-  // (PointGrid).
+  // A distance for each pixel; the points that at least one picture sees and those that at least
+  // two see; and the voxels' centres. For one of these sets of points at a time, three numbers for
+  // each point say in which cell it is (PointGrid).
   constexpr double kPoint = sizeof(Vector3d), kCellNumbers = 3 * sizeof(std::uint32_t);
   const double points = object_pixels_of(set);
   return pixels_of(set) * sizeof(float) + 2 * points * kPoint + voxels * kPoint +

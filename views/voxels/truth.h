@@ -32,8 +32,8 @@ private:
   std::int64_t voxels_ = 0;
 };
 
-// The overlap of two solids, |A and B| / |A or B|. One of them is added voxel by voxel, or run by
-// run.
+// The overlap of the true solid A and a found solid B, |A and B| / |A or B| in numbers of voxels. B
+// is added voxel by voxel, or run by run.
 class Overlap {
 public:
   explicit Overlap(const TrueVolume& truth) : truth_(truth) {}

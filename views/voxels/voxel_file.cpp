@@ -24,7 +24,8 @@ void add_vertex(std::string& text, const Vector3d& p, const Rgba8& color) {
 
 struct Side {
   VoxelPosition beside;
-  // counter-clockwise seen from outside; bit 0: high x, bit 1: high y, bit 2: high z.
+  // The side's corners, counter-clockwise seen from outside. In a corner's number, bit 0 is set at
+  // high x, bit 1 at high y, and bit 2 at high z.
   int corners[4];
 };
 constexpr Side kSides[] = {{{-1, 0, 0}, {0, 4, 6, 2}}, {{1, 0, 0}, {1, 3, 7, 5}},

@@ -11,11 +11,10 @@ VoxelPosition voxel_at(const std::array<int, 3>& at) {
   return {at[0], at[1], at[2]};
 }
 
-// The part of a run whose centres are between the planes of a box. (In a grid along the world's
-// axes all centres are.)
+// The part of a run whose centres are inside a box.
 VoxelRun clipped(VoxelRun run, const VoxelGrid& grid, const WorldBox& box) {
   const Vector3d start = grid.centre(run.first), step = grid.size * grid.axes.col(run.axis);
-  // Centres that are outside only by rounding count as inside.
+  // Centres that are outside only by rounding are taken to be inside.
   const double room = grid.size * 1e-6;
   double from = 0, to = run.count - 1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -51,8 +50,8 @@ std::vector<VoxelRun> PlaneLayers::runs(int k, const WorldBox& box) const {
     first[std::size_t(axis_)] = coordinate(k);
     first[std::size_t(column_)] = column;
     VoxelRun run{voxel_at(first), row_, grid_.count[std::size_t(row_)]};
-    // In a grid along the world's axes the last voxels may extend beyond the box, by less than one
-    // voxel.
+    // In a grid along the world's axes no run is clipped: the last voxels may extend beyond the
+    // box, by less than one voxel.
     if (!is_aligned) run = clipped(run, grid_, box);
     if (run.count > 0) runs.push_back(run);
   }
@@ -81,7 +80,8 @@ std::vector<VoxelRun> ShellLayers::runs(int k) const {
     return std::min(high_[axis] + room, grid_.count[axis] - 1);
   };
   const auto has = [&](std::size_t axis, int at) { return at >= 0 && at < grid_.count[axis]; };
-  // Both faces across z, then the rest of those across y, then the rest of those across x.
+  // The shell is the surface of a box: first both faces across z, then the rest of the faces across
+  // y, then the rest of the faces across x.
   const auto add = [&](VoxelPosition first, int axis, int last) {
     const VoxelRun run{first, axis, last - VoxelRun{first, axis, 0}.begin() + 1};
     if (run.count > 0) runs.push_back(run);

@@ -23,7 +23,8 @@ public:
     const int place = axis_ == 0 ? at.x : axis_ == 1 ? at.y : at.z;
     return forward_ ? place : count() - 1 - place;
   }
-  // All voxels of layer k whose centres are in the box.
+  // All voxels of layer k. In a grid that is not along the world's axes, only those whose centres
+  // are in the box.
   std::vector<VoxelRun> runs(int k, const WorldBox& box) const;
 
 private:
@@ -32,10 +33,10 @@ private:
   bool forward_;
 };
 
-// Shells around the voxels with cameras in them: layer k has the voxels at the distance k + 1 from
-// the bounding box of those, measured along the axis along which it is largest. This distance is a
-// convex function that is 0 in the box, so it grows along every ray from a camera. The inside of
-// that box is taken to be empty.
+// Shells around the cameras. The bounding box of the voxels that contain a camera is taken to be
+// empty. Layer k has the voxels at the distance k + 1 from that box, measured along the axis along
+// which the distance is largest. This distance is a convex function that is 0 in the box, so it
+// grows along every ray from a camera.
 class ShellLayers {
 public:
   ShellLayers(const VoxelGrid& grid, const std::vector<Vector3d>& cameras);
@@ -48,14 +49,15 @@ private:
   int layers_ = 0;
 };
 
-// The cells of a coarser level, one byte each.
+// The cells of a coarser level, one byte each: 1 if the cell is set, so that its voxels are
+// examined at the next level.
 class CellMask {
 public:
   explicit CellMask(const VoxelGrid& grid);
   void set(const VoxelPosition& at) { bytes_[index(at)] = 1; }
-  // Sets all neighbours of set cells, too, those at corners included.
+  // Sets all neighbours of set cells, too, including those that touch only at a corner.
   void grow();
-  // For a layer of the next finer level, the runs whose cells are set.
+  // For a layer of the next finer level, the parts of its runs that are in set cells.
   std::vector<VoxelRun> refined(const std::vector<VoxelRun>& runs) const;
 
 private:

@@ -12,7 +12,8 @@ namespace glassbox::study {
 
 namespace {
 
-// The matrix for OpenGL maps depth to [-1, 1]; OpenGL's viewport maps it back to our range.
+// The matrix for OpenGL maps depth to [-1, 1]; OpenGL's viewport then maps it to [0, 1], the range
+// of Glassbox.
 glm::mat4 gl_matrix(const View& view, const Draw& draw) {
   const Vector<Object, double> anchor{draw.anchor.x, draw.anchor.y, draw.anchor.z};
   Transform<ClipGl, ClipGl> upside_down;
@@ -28,7 +29,7 @@ CulledFaces find_culled_faces(const Draw& draw, Cull cull) {
   return front ? CulledFaces::kFront : back ? CulledFaces::kBack : CulledFaces::kNone;
 }
 
-// Whether the matrix is a rotation (or a reflection) times a number, up to rounding errors.
+// Whether the matrix is a rotation (or a reflection) times a scale factor, up to rounding errors.
 bool keeps_ratios(const glm::mat3& m) {
   const glm::mat3 product = glm::transpose(m) * m;
   const float size = product[0][0];

@@ -31,7 +31,8 @@ struct PeerDraw {
   glm::mat3 eye_normal_from_object{1};
 };
 
-// The positions are relative to the mesh's anchor.
+// Lists the draws of a view. Positions are relative to the mesh's anchor (a point near its
+// vertices), as in the engines.
 std::vector<PeerDraw> peer_draws(const BenchScene& bench, const DrawList& list, const View& view);
 
 Ingredients ingredients_of(const BenchScene& bench, const PeerDraw& draw, const Lighting& lighting);

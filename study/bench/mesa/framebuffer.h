@@ -38,7 +38,7 @@ private:
 
   const gl::Functions* gl_;
   Form form_;
-  gl::Uint centres_ = 0, samples_ = 0;  // the same framebuffer with one sample
+  gl::Uint centres_ = 0, samples_ = 0;  // equal if each pixel has one sample
 };
 
 }  // namespace glassbox::study

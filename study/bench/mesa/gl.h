@@ -30,8 +30,8 @@ inline constexpr Enum kTextureMagFilter = 0x2800, kTextureMinFilter = 0x2801;
 inline constexpr Enum kTextureWrapS = 0x2802, kTextureWrapT = 0x2803;
 inline constexpr Enum kTextureBaseLevel = 0x813C, kTextureMaxLevel = 0x813D;
 inline constexpr Enum kTexture0 = 0x84C0;
-// Texture filters: those without mipmaps come first, then those with mipmaps (first the filter
-// within a level, then the one between levels).
+// Texture filters: first the two without mipmaps, then the four with mipmaps. In a name, the first
+// word is the filter within a level, the word after Mip the one between levels.
 inline constexpr Int kNearest = 0x2600, kLinear = 0x2601;
 inline constexpr Int kNearestMipNearest = 0x2700, kLinearMipNearest = 0x2701;
 inline constexpr Int kNearestMipLinear = 0x2702, kLinearMipLinear = 0x2703;

@@ -19,8 +19,9 @@ bool has_lines_or_points(const Scene& scene) {
   });
 }
 
-// With these filters, OpenGL 3.3 (3.8.11) still magnifies up to half a level beyond the point where
-// a pixel's footprint is one texel.
+// Whether OpenGL magnifies where Glassbox already minifies: with these filters, OpenGL 3.3 (section
+// 3.8.11) still magnifies up to half a mipmap level beyond the point where a pixel's footprint is
+// one texel.
 bool magnifies_elsewhere(const Sampler& sampler) {
   return sampler.magnify == Filter::kLinear && sampler.minify == Filter::kNearest &&
          sampler.mip != MipFilter::kNone;

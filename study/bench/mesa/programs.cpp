@@ -41,7 +41,7 @@ Result<GlProgram> GlPrograms::make(const Ingredients& ingredients) const {
   program.emission = uniform("emission");
   program.specular_color = uniform("specular_color");
   gl_.UseProgram(program.name);
-  gl_.Uniform1i(uniform("image"), kImageUnit);
+  gl_.Uniform1i(uniform("image"), kBaseColorUnit);
   gl_.Uniform1i(uniform("emission_image"), kEmissionUnit);
   set_lights(program.name);
   return program;

@@ -1,4 +1,5 @@
-// The shader programs of the OpenGL peer, one for each set of ingredients.
+// The shader programs of the OpenGL peer, one for each set of ingredients (what the colours of a
+// draw depend on, see shaders.h).
 #pragma once
 
 #include <map>
@@ -11,7 +12,8 @@
 
 namespace glassbox::study {
 
-// A linked program. A uniform that it does not have is -1.
+// A linked program and the locations of its uniforms; the location is -1 for a uniform that the
+// program does not have.
 struct GlProgram {
   gl::Uint name = 0;
   gl::Int clip_from_object = -1, eye_from_object = -1, eye_normal_from_object = -1;

@@ -1,4 +1,4 @@
-// The error for what OpenGL cannot do.
+// Makes the error for something that this OpenGL cannot do.
 #pragma once
 
 #include <string>

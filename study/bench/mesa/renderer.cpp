@@ -56,11 +56,12 @@ Result<void> MesaRenderer::set_up() {
   gl_.Enable(gl::kDepthTest);
   gl_.DepthFunc(gl::kLess);
   // The shaders multiply the colour by alpha, because OpenGL would clamp the light before it blends
-  // (4.1.8): a highlight brighter than white must be multiplied before it is clamped.
+  // (4.1.8 of its specification): a highlight brighter than white must be multiplied before it is
+  // clamped.
   gl_.BlendFunc(gl::kOne, gl::kOneMinusSourceAlpha);
   for (const BenchPass& pass : bench_.passes) {
     const DrawList list = make_draw_list(bench_.scene, prepared_, pass.view);
-    // Both eyes of a pair share one eye space, and so the lights in it.
+    // Both eyes of a stereo pair have the same eye space, so the lights in it are the same too.
     if (!programs_) programs_.emplace(gl_, list.lighting);
     passes_.emplace_back();
     if (const auto made = make_draws(list); !made) return made;
@@ -187,7 +188,7 @@ void MesaRenderer::set_textures(const GlDraw& draw, State& state) const {
     gl_.BindTexture(gl::kTexture2D, texture);
     bound = texture;
   };
-  bind(kImageUnit, draw.texture, state.texture);
+  bind(kBaseColorUnit, draw.texture, state.texture);
   bind(kEmissionUnit, draw.emission_texture, state.emission_texture);
 }
 

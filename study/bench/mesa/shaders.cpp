@@ -30,9 +30,9 @@ std::string head(const Ingredients& ingredients) {
   return text;
 }
 
-// Attributes are taken at pixel centres, even with several samples: between "centroid" attributes
-// of neighbouring pixels there are no regular differences from which a mipmap level could be
-// computed.
+// Attributes are interpolated to pixel centres, even with several samples. OpenGL could also take
+// them at the "centroid" of the covered samples; but the distances between centroids are irregular,
+// so no mipmap level could be computed from the differences between neighbouring pixels.
 constexpr const char* kVertex = R"(
 uniform mat4 clip_from_object;
 layout(location = 0) in vec3 position;

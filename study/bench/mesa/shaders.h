@@ -13,7 +13,7 @@ namespace glassbox::study {
 // The attribute locations of the vertex shader's inputs.
 inline constexpr unsigned kPositionAt = 0, kNormalAt = 1, kTexcoordAt = 2, kColorAt = 3;
 // The texture units of the surface's colour and of its emission.
-inline constexpr int kImageUnit = 0, kEmissionUnit = 1;
+inline constexpr int kBaseColorUnit = 0, kEmissionUnit = 1;
 
 struct LightIngredient {
   LightKind kind = LightKind::kDirectional;
@@ -38,7 +38,7 @@ struct Ingredients {
   friend auto operator<=>(const Ingredients&, const Ingredients&) = default;
 };
 
-// Whether light depends on where the surface is.
+// Whether the light at a point of the surface depends on its position.
 bool needs_eye_position(const Ingredients& ingredients);
 
 std::string vertex_shader(const Ingredients& ingredients);

@@ -41,8 +41,8 @@ gl::Int filter_code(Filter filter, MipFilter mip) {
   return filter_code(filter);
 }
 
-// A mipmap level as bytes, which OpenGL decodes itself. The base level has the bytes of the image
-// itself.
+// A mipmap level as encoded bytes, which OpenGL decodes itself. Level 0 has the unchanged bytes of
+// the image.
 std::vector<Rgba8> stored_level(const MipChain& chain, int level, Transfer transfer) {
   const auto first = std::size_t(chain.first[std::size_t(level)]);
   const bool is_last = level == chain.last_level();

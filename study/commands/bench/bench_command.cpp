@@ -77,7 +77,7 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
   add_measure_options(command);
   add_engine_options(command);
   const std::string outputs = "Other outputs";
-  add_html_output(command, html_output_, "the same as a page, with bars and curves")
+  add_html_output(command, html_output_, "the printed output as a page, with bars and curves")
       ->group(outputs);
   add_json_output(command, json_output_)->group(outputs);
   command.callback([this, &exit_code] { exit_code = run(); });
@@ -86,8 +86,8 @@ void BenchCommand::add_to(CLI::App& app, int& exit_code) {
 void BenchCommand::add_measure_options(CLI::App& command) {
   add_choice<std::optional<Peer>>(
       command, "--against", against_, {{"mesa", Peer::kMesa}, {"opencv", Peer::kOpencv}},
-      "a peer that draws the same frames in turn, and whose pictures are compared; opencv: compare "
-      "the matching of picture pairs instead (see views match)");
+      "also draw the frames, in turn, with this other renderer (the peer), and compare the "
+      "pictures; opencv: compare the matching of picture pairs instead (see views match)");
   command.add_option("--frames", frames_, "measured frames of Glassbox and of the peer [9]")
       ->check(CLI::Range(1, kMostFrames))
       ->type_name("N");

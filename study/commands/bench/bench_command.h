@@ -1,4 +1,4 @@
-// glassbox bench: how fast it draws, compared with another renderer, and how its time grows.
+// glassbox bench: how fast glassbox draws compared with another renderer, and how its time grows.
 #pragma once
 
 #include <optional>

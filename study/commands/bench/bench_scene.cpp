@@ -25,8 +25,8 @@ std::string path_of(const RealScene& scene) {
   return (std::filesystem::path(kAssets) / scene.source).string();
 }
 
-// If no such file exists, the name may have been meant for a scene of the benchmark: lists those in
-// the error.
+// If no such file exists, the name may have been meant for a scene of the benchmark: adds the names
+// of these scenes to the error.
 Error with_bench_scenes(Error error, const std::string& name) {
   if (std::filesystem::path(name).has_extension()) return error;
   error.remedy += fmt::format("; the benchmark's are {}", fmt::join(all_bench_scenes(), ", "));
@@ -57,8 +57,8 @@ Result<BenchScene> load_real_scene(const RealScene& known, const Size& size) {
   return bench;
 }
 
-// Draws both eyes of a scene that has one view into one picture: the left eye into the red channel,
-// the right one into the other channels.
+// Changes a scene that has one view so that both eyes are drawn into one picture: the left eye into
+// the red channel, the right eye into the other channels.
 Result<void> add_second_eye(BenchScene& bench) {
   if (bench.stereo) return {};
   const View centre = bench.passes.front().view;

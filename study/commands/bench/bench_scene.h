@@ -23,13 +23,14 @@ struct BenchDrawing {
 // Adds --size, --samples and --stereo.
 void add_bench_drawing(CLI::App& command, BenchDrawing& drawing);
 
-// The options as words of a command line. Given after the scene's name, they draw the same.
+// The options as words of a command line. After the scene's name, these words draw the same
+// picture.
 std::vector<std::string> words_of(const BenchDrawing& drawing);
 
 // Loads a scene of the benchmark (S1, R1), a built-in one, or a file.
 Result<study::BenchScene> load_bench_scene(const std::string& name, const BenchDrawing& drawing);
 
-// The names of the scenes that are measured if none is named.
+// The names of the scenes that are measured if the command line names no scene.
 std::vector<std::string> all_bench_scenes();
 
 // The path of the mesh file that a scene of the benchmark needs, if that file is missing.

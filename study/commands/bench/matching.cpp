@@ -185,8 +185,9 @@ std::string matching_text(const MatchingReport& report) {
     }
   }
   text +=
-      "\nShare of the pixels that both pictures show whose disparity is off by more than 0.5, 1 "
-      "and 2 px;\na pixel without disparity counts as off.\n";
+      "\nPer cent of the pixels seen in both pictures whose disparity is off by more than 0.5, 1 "
+      "and 2 px;\n"
+      "a pixel without disparity counts as off.\n";
   for (const std::string& note : report.notes) text += wrapped("", note);
   return text;
 }

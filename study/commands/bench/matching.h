@@ -32,7 +32,7 @@ struct MatchingBenchOptions {
 struct MatcherResult {
   std::string name;                // "glassbox fast"
   double cpu_ms = 0, wall_ms = 0;  // medians: time of all processors together, and elapsed time
-  views::DisparityErrors visible;  // for the points that both pictures show
+  views::DisparityErrors visible;  // errors at the points that both pictures show
 };
 struct MatchedPair {
   std::string description;
@@ -54,7 +54,8 @@ nlohmann::ordered_json matching_json(const MatchingReport& report);
 struct PeerMatch {
   std::string version;                  // "4.6.0"
   std::vector<double> cpu_ms, wall_ms;  // of each repetition
-  Image<float> disparity;               // px; holes filled from the smaller side of their row
+  // px; a hole has the smaller one of the disparities on its left and right
+  Image<float> disparity;
 };
 
 enum class PeerPaths { kThree, kEight };
@@ -67,9 +68,9 @@ inline constexpr int kPeerBlock = 3, kPeerP1 = 216, kPeerP2 = 864;
 // The cause of the error if OpenCV is not installed.
 inline constexpr const char* kPeerIsMissing = "it is not installed for /usr/bin/python3";
 
-// Runs StereoSGBM with its left-right check: `frames` measured repetitions, after one that is not
-// measured. `scratch` is a directory for the files exchanged with the process. An error if OpenCV
-// is not installed.
+// Runs StereoSGBM with its left-right check: one repetition that is not measured, then `frames`
+// measured ones. `scratch` is a directory for the files exchanged with the process. An error if
+// OpenCV is not installed.
 Result<PeerMatch> match_with_opencv(const Image<Rgba8>& left, const Image<Rgba8>& right,
                                     const views::DisparityRange& range, PeerPaths paths,
                                     int threads, int frames, const std::filesystem::path& scratch);

@@ -25,8 +25,8 @@ constexpr const char* kPython = "/usr/bin/python3";
 constexpr int kMissing = 3;  // exit code of kScript if OpenCV is not installed
 constexpr ProcessLimits kPeerLimits{.seconds = 600};
 
-// Prints "version V", then "CPU WALL" in milliseconds for each repetition. Writes the disparities
-// to the file `out`, in 16ths of a pixel.
+// The script prints "version V", then "CPU WALL" in milliseconds for each repetition. It writes the
+// disparities to the file `out`, in 16ths of a pixel.
 constexpr const char* kScript = R"py(
 import sys, time
 try:
@@ -63,7 +63,8 @@ Result<std::string> run_script(const std::vector<std::string>& words) {
   return outcome.printed;
 }
 
-// Reads disparities in 16ths of a pixel. A value below the range means that there is no disparity.
+// Reads disparities in 16ths of a pixel. A value below `first`, the smallest disparity searched,
+// means that there is no disparity.
 Result<Image<float>> read_disparity(const std::filesystem::path& path, int width, int height,
                                     int first) {
   std::ifstream in(path, std::ios::binary);
@@ -109,8 +110,8 @@ Result<PeerMatch> match_with_opencv(const Image<Rgba8>& left, const Image<Rgba8>
       return tl::unexpected(written.error());
     }
   }
-  // OpenCV needs a number of disparities that is a multiple of 16; mode 1 uses 8 paths, mode 2 uses
-  // 3.
+  // OpenCV needs a number of disparities that is a multiple of 16; its mode 1 uses 8 paths, mode 2
+  // uses 3 paths.
   const auto said = run_script({left_file, right_file, std::to_string(range.first),
                                 std::to_string((range.count() + 15) / 16 * 16),
                                 std::to_string(kPeerBlock), std::to_string(kPeerP1),

@@ -33,7 +33,7 @@ Json quartiles_json(const Quartiles& q) {
   return Json::array({q.lower, q.upper});
 }
 
-// [renderer, number of pixels] for each kind of difference that occurs.
+// A pair [difference in 1/255, number of pixels] for each size of difference that occurs.
 Json differences_json(const study::PictureMatch& match) {
   Json json = Json::array();
   for (std::size_t by = 1; by < match.differences.size(); ++by) {

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "study/bench/floor.h"
 #include "study/bench/measure.h"
+#include "study/bench/memory_time_limit.h"
 #include "study/bench/scaling.h"
 
 namespace glassbox::study {
@@ -16,13 +16,14 @@ struct BenchReport {
   std::string machine, compiler, engine, target;
   int width = 0, height = 0, frames = 0;
   std::vector<study::Measurement> results;
-  std::vector<study::Floor> floors;  // one per number of threads, if they were asked for
+  std::vector<study::Floor> floors;  // memory bandwidth for each number of threads; may be empty
   std::vector<study::Scaling> scalings;
   std::vector<std::string> notes;  // one sentence each
 
-  // Whether all compared pictures are the same as the peer's.
+  // Whether all compared pictures are the same as those of the other renderer (the peer).
   bool pictures_same() const;
-  // The floor with the result's number of threads; null if there is none.
+  // The floor (the memory bandwidth) measured with the result's number of threads; null if there is
+  // none.
   const study::Floor* floor_of(const study::Measurement& result) const;
 };
 
@@ -30,7 +31,8 @@ struct BenchReport {
 // [...]}, described in docs/benchmark.md.
 nlohmann::ordered_json bench_json(const BenchReport& report);
 
-// Bars that compare with the peer and the floor, curves of scaling, and the numbers as text.
+// A page with bars that compare the times with the other renderer's and with the floor (the time
+// that the memory's bandwidth allows at best), curves of scaling, and the numbers as text.
 std::string bench_page(const BenchReport& report);
 
 // The benchmark's results as text.

@@ -41,7 +41,7 @@ std::string results_table(const BenchReport& report) {
   return text;
 }
 
-// The remarks below the table: what there is to say about a row besides its times.
+// The remarks below the table: what there is to say about a scene besides its times.
 std::string remarks(const Measurement& result) {
   std::string text;
   const std::string where =
@@ -62,7 +62,7 @@ std::string remarks(const Measurement& result) {
     }
   }
   if (result.rejected_ms) {
-    text += fmt::format("{}{} ms if whole objects may be rejected\n", where,
+    text += fmt::format("{}{} ms if objects outside the view are left out as a whole\n", where,
                         three_digits(*result.rejected_ms));
   }
   return text;

@@ -25,7 +25,8 @@ struct ExtremesReport {
   bool holds() const;
 };
 
-// A line for each case, a table for each sweep, and the number of those that hold.
+// The report as text: a line for each case, the number of cases that hold, and a table for each
+// sweep.
 std::string extremes_text(const ExtremesReport& report);
 // The full text about one case.
 std::string case_text(const study::CaseResult& result);
@@ -33,7 +34,7 @@ std::string case_text(const study::CaseResult& result);
 nlohmann::ordered_json extremes_json(const ExtremesReport& report);
 
 // A page that needs no other file, with the table, the curves and the pictures. `command` is the
-// command line that makes it.
+// command line that makes the page.
 std::string extremes_page(const ExtremesReport& report, const std::string& command);
 
 const char* oracle_name(study::Oracle oracle);

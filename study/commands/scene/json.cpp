@@ -59,7 +59,7 @@ Json second_eyes_json(const SecondEyes& eyes) {
 }  // namespace
 
 std::string command_of(const CurveReport& report, const CurvePoint& point) {
-  if (report.scene == "-") return {};  // empty for a scene from a pipe: it could not be read again
+  if (report.scene == "-") return {};  // a scene from a pipe cannot be read again
   std::vector<std::string> own = point.variant.options;
   if (point.variant.engine == EngineKind::kTile && point.variant.threads() == 1)
     own.insert(own.end(), {"--threads", "1"});

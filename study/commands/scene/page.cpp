@@ -23,8 +23,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Pixels = Image<Rgba8>;
 
-// The red, green and blue values, one plane after the other: planes of differences compress better
-// than pixels.
+// All red, then all green, then all blue values: differences of pictures compress better in this
+// order than pixel by pixel.
 template <class Value>
 std::vector<std::uint8_t> planes(const Pixels& picture, const Value& value) {
   std::vector<std::uint8_t> bytes;
@@ -54,7 +54,7 @@ std::size_t count_differing(const Pixels& a, const Pixels& b) {
 }
 
 // The earlier picture that differs from this one in the fewest pixels; none if the reference
-// differs in fewer.
+// picture differs in fewer.
 std::optional<std::size_t> nearest_before(const study::Curve& curve, std::size_t picture) {
   std::optional<std::size_t> nearest;
   std::size_t fewest = count_differing(curve.pictures[picture], curve.reference);
@@ -77,7 +77,7 @@ std::vector<std::uint8_t> flip_levels(const Pixels& picture, const Pixels& refer
   return levels;
 }
 
-// The colour of each level; black for a difference that cannot be seen.
+// The colour of each level; black for a level whose difference cannot be seen.
 Json colours_of_levels() {
   Json colours = Json::array();
   for (int level = 0; level <= kHeatHottest; ++level) {
@@ -87,7 +87,7 @@ Json colours_of_levels() {
   return colours;
 }
 
-// The data blocks of the page in sequence.
+// Collects the data blocks of the page in sequence.
 class DataBlocks {
 public:
   void add(const std::string& id, const std::vector<std::uint8_t>& bytes) {
@@ -114,7 +114,7 @@ Result<std::string> curve_page(const CurveReport& report) {
   const study::Curve& curve = report.curve;
   Json manifest = curve_json(report);
   manifest["heat"] = colours_of_levels();
-  // Most pictures are almost equal to another one, so only the differences from that one are
+  // Most pictures are almost equal to another picture, so only the differences from that one are
   // stored.
   Json& bases = manifest["bases"] = Json::array();
   DataBlocks blocks;

@@ -46,7 +46,7 @@ std::vector<std::string> place_option_words(const ScenePlace& place) {
   return words;
 }
 
-// The command line that shows the place; empty for a scene from standard input.
+// The command line that shows where a number comes from; empty for a scene from standard input.
 std::string command_for(const StiffnessReport& report, const ScenePlace& place) {
   if (report.scene == "-") return {};
   return shell_line(
@@ -55,7 +55,7 @@ std::string command_for(const StiffnessReport& report, const ScenePlace& place) 
 
 // ---- text ----
 
-// Condition numbers can be infinite, for example if far/near is.
+// A condition number as text; it can be infinite, for example if far/near is.
 std::string condition_text(double value) {
   return std::isinf(value) ? "infinite" : fmt::format("{:.4g}", value);
 }
@@ -80,8 +80,8 @@ std::string number_lines(const Scene& scene, const StiffnessReport& report,
   const std::string bound =
       std::isfinite(number.bound) ? number_or_unknown(number.bound) + " " + number.unit : "none";
   std::string text =
-      fmt::format("{}{:<34}{:>12}{:>24}{:>14}\n", number.passes() ? "! " : "  ", number.name,
-                  condition_text(number.condition), bound, pixels_text(number));
+      fmt::format("{}{:<34}{:>12}{:>24}{:>14}\n", number.is_above_limit() ? "! " : "  ",
+                  number.name, condition_text(number.condition), bound, pixels_text(number));
   text += wrapped("      bound  ", number.formula);
   text += wrapped("      source ", number.source);
   if (number.place) {
@@ -118,7 +118,7 @@ Json number_json(const Scene& scene, const StiffnessReport& report, const Condit
             {"bound", finite_json(number.bound)},
             {"unit", number.unit}};
   json["pixels"] = number.pixels ? finite_json(*number.pixels) : Json(nullptr);
-  json["passes"] = number.passes();
+  json["passes"] = number.is_above_limit();
   json["formula"] = number.formula;
   json["source"] = number.source;
   json["worst"] = number.place ? place_json(scene, report, *number.place) : Json(nullptr);
@@ -178,7 +178,7 @@ std::string stiffness_page(const Scene& scene, const StiffnessReport& report,
 std::vector<std::string> stiffness_warnings(const Scene& scene, const study::Stiffness& found) {
   std::vector<std::string> lines;
   for (const ConditionNumber& number : found.numbers) {
-    if (!number.passes()) continue;
+    if (!number.is_above_limit()) continue;
     std::string line = fmt::format("warning: {} is {}: {}", number.name,
                                    condition_text(number.condition), errors_text(number));
     if (number.tests_in_doubt)

@@ -22,8 +22,8 @@ struct StiffnessReport {
   study::Stiffness found;
 };
 
-// The up vector by which the view of these options was set up; none if a camera of the scene gives
-// the pose.
+// The up vector with which these options set up the view; none if a camera of the scene gives the
+// pose.
 std::optional<Vector<World, double>> up_of(const Scene& scene, const CameraOptions& options);
 
 std::string stiffness_text(const Scene& scene, const StiffnessReport& report);
@@ -33,8 +33,8 @@ nlohmann::ordered_json stiffness_json(const Scene& scene, const StiffnessReport&
 std::string stiffness_page(const Scene& scene, const StiffnessReport& report,
                            const std::string& command);
 
-// One line for each number whose error bound exceeds a pixel: the reason, the place, and what to
-// do.
+// Warnings, one line for each number whose error bound exceeds a pixel: the reason, the place, and
+// what to do.
 std::vector<std::string> stiffness_warnings(const Scene& scene, const study::Stiffness& found);
 
 }  // namespace glassbox::study

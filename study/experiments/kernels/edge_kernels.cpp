@@ -18,10 +18,11 @@ namespace glassbox::study::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kSteps = 256;  // per pixel
+constexpr int kSteps = 256;  // subpixel steps per pixel
 constexpr int kCentre = 128;
 
-// Whether one of the three values is negative; one test of the integers' sign bits answers this.
+// Whether one of the three edge values is negative; one test of the integers' sign bits answers
+// this.
 template <class D, class E>
 auto outside(D d, const E& e) {
   const auto zero = hn::Zero(d);
@@ -32,8 +33,9 @@ auto outside(D d, const E& e) {
   }
 }
 
-// Calls row(y), which returns a function of x that gives the edge's values in lanes x, x + 1, ...;
-// a value of at least 0 is inside.
+// Counts the covered pixels of a tile. Calls row(y), which returns a function of x that gives the
+// edge's values for the pixels x, x + 1, ... in the lanes of a vector; a value of at least 0 is
+// inside.
 template <class D, class Row>
 std::int64_t count(D d, const Row& row) {
   std::int64_t covered = 0;
@@ -97,9 +99,10 @@ std::int64_t by_plane(const TileEdges& t) {
   });
 }
 
-// Integers are exact from any starting point. kShift = 8 drops the factor 256 that all steps have.
-// Within the tile, E/256 changes by less than 2^30 (edges have at most 2^23 steps along x and y),
-// so a larger value has the same sign in the whole tile and can be limited to 2^30.
+// Steps from pixel to pixel, which is exact with integers from any starting point. kShift = 8 drops
+// the factor 256 that all steps have. Within the tile, E/256 (E: the edge function) changes by less
+// than 2^30 (edges have at most 2^23 steps along x and y), so a larger value has the same sign in
+// the whole tile and can be limited to 2^30.
 template <class T, int kShift>
 std::int64_t by_steps(const TileEdges& t) {
   const hn::ScalableTag<T> d;

@@ -11,9 +11,9 @@ namespace glassbox::study {
 enum class EdgeArithmetic {
   kFloatDifference,  // dx (py - y0) - dy (px - x0)
   kFloatPlane,       // (a px + b py) + c
-  kFloatFma,         // difference form; second product and subtraction are rounded together
-  kDouble,           // the plane form
-  kInt32Tile,        // E/256, rounded down, from the corner of the tile
+  kFloatFma,         // like kFloatDifference; rounds the second product with the subtraction
+  kDouble,           // like kFloatPlane
+  kInt32Tile,        // E/256 (E: edge function), rounded down, from the tile's corner
   kInt64,
 };
 

@@ -10,11 +10,11 @@ namespace glassbox::study {
 enum class Reciprocal {
   kDivide,           // 1/w
   kApproximate,      // the processor's approximate reciprocal
-  kNewton,           // the same with one step of Newton's method
+  kNewton,           // kApproximate and one step of Newton's method
   kRootDivide,       // 1/sqrt(w) by square root and division
   kRootApproximate,  // the processor's approximate reciprocal square root
   kRootNewton,
-  kMagic,  // 0x5f3759df
+  kMagic,  // 0x5f3759df, see magic_reciprocal_root()
   kMagicNewton,
 };
 
@@ -25,7 +25,7 @@ enum class Perspective { kDivide, kNewton, kApproximate, kEvery8, kEvery16, kEve
 
 inline constexpr int kLinePixels = 256;
 
-// A line of pixels across a surface: u and 1/w at its two ends.
+// A line of pixels across a surface: the texture coordinate u and 1/w at its two ends.
 struct PerspectiveLine {
   float u0 = 0, u1 = 0, inverse_w0 = 1, inverse_w1 = 1;
   int pixels = kLinePixels;  // 1 .. kLinePixels

@@ -12,8 +12,8 @@ Warped warp(const std::vector<Layer>& layers, const View& centre, const StereoPa
   const int width = layers.front().color.width, height = layers.front().color.height;
   Warped warped{Image<Rgba8>(width, height, background),
                 Image<float>(width, height, std::numeric_limits<float>::infinity())};
-  // p(z) = a - b/z (parallax.h). The values at infinity and at the window, where it is 0, give a
-  // and b.
+  // The parallax at the distance z is p(z) = a - b/z (parallax.h). a is its value at infinity; b
+  // follows from the window, where the parallax is 0.
   const double a = parallax_at(centre, pair, std::numeric_limits<double>::infinity()).px,
                b = a * pair.window;
   for (const Layer& layer : layers) {

@@ -18,8 +18,8 @@ struct Warped {
   Image<float> distance;  // infinite: a hole
 };
 
-// Moves every pixel of every layer by its parallax; each one fills one pixel, and the nearest
-// stays.
+// Moves every pixel of every layer by its parallax; each of them fills one pixel of the right
+// picture, and the nearest stays.
 Warped warp(const std::vector<Layer>& layers, const View& centre, const StereoPair& pair,
             Rgba8 background);
 

@@ -4,9 +4,9 @@
 #include <glassbox/pipeline/look_at.h>
 
 #include "exact/camera.h"
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/ray_cast.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
@@ -22,8 +22,9 @@ Outcome measure_error(LookAt look_at_under_test) {
     const WorldVector up = gaze + across * sine;
     const auto view = look_at_under_test(eye, target, up);
     const exact::Matrix4<exact::Decimal> exact = exact::look_at(eye, target, up);
-    // The entries of the rotation are right to (8 + 4/sine) u, see look_at.h. The angle is
-    // atan(sine), which makes no difference to its sine here.
+    // The entries of the rotation are right to (8 + 4/sine) u (u is the unit roundoff), see
+    // look_at.h. `sine` is in fact the tangent of the angle, but for such small angles the
+    // difference does not matter.
     const double bound = (8 + 4 / sine) * u;
     const std::string where = fmt::format("up {:g} rad from the gaze", sine);
     if (view) {
@@ -42,8 +43,8 @@ Outcome measure_error(LookAt look_at_under_test) {
   return worst.outcome(fmt::format("{} of 4 undefined rolls got an answer", answered));
 }
 
-// A ball seen by a camera whose up is nearly parallel to its gaze, compared with axes computed in
-// 50 digits.
+// A ball seen by a camera whose up vector is nearly parallel to its gaze, compared with camera axes
+// that are computed with 50 digits.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     std::vector<RayCastReference> all;

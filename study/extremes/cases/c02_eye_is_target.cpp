@@ -1,7 +1,7 @@
 #include <glassbox/pipeline/look_at.h>
 
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
@@ -12,24 +12,25 @@ Outcome measure_error(LookAt look_at_under_test) {
   for (const WorldPoint& eye :
        {WorldPoint(0, 0, 0), WorldPoint(1, 2, 3), WorldPoint(1e300, 0, -1e-300)}) {
     answered += bool(look_at_under_test(eye, eye, {0, 1, 0}));
-    // The points differ, but by less than a normalised double: the direction would depend on how
-    // subnormal numbers are treated.
+    // Eye and target differ, but by less than the smallest normalised double: the direction would
+    // depend on how the processor treats subnormal numbers.
     answered += bool(look_at_under_test({0, 0, 0}, {0, 0, 0x1p-1070}, {0, 1, 0}));
     all += 2;
   }
-  // One ulp of distance is enough to give a direction.
+  // One ulp of distance between eye and target is enough to give a direction.
   const auto near = look_at_under_test({1, 2, 3}, {1, 2, 3 - 0x1p-51}, {0, 1, 0});
   answered += !near || *near != *look_at({1, 2, 3}, {1, 2, 2}, {0, 1, 0});
   return wrong_count_outcome(answered, all + 1, "cameras answered wrongly");
 }
 
-// The code that beginners write: it rejects equal points, but accepts subnormal distances.
+// The code that beginners write: it rejects an eye that is the target, but accepts subnormal
+// distances between them.
 Result<EyeFromWorld> equality_alone(const WorldPoint& eye, const WorldPoint& target,
                                     const WorldVector& up) {
   if (eye == target) return fail("eye", "is the target", "move one of them");
   return naive::unchecked_look_at(eye, target, up);
 }
-// Rejects a distance of a millionth as too small, in any unit of length.
+// Rejects a distance of less than a millionth as too small, whatever the unit of length is.
 Result<EyeFromWorld> least_distance(const WorldPoint& eye, const WorldPoint& target,
                                     const WorldVector& up) {
   if (!(length(target - eye) > 1e-6)) return fail("eye", "is the target", "move one of them");

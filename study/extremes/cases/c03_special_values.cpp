@@ -6,8 +6,8 @@
 #include <bit>
 #include <cfenv>
 
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 #include "study/naive/projection.h"
 
@@ -87,8 +87,8 @@ bool same_bytes(const std::vector<glm::dmat4>& a, const std::vector<glm::dmat4>&
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (int k = 0; k < 16; ++k) {
       const double x = a[i][k / 4][k % 4], y = b[i][k / 4][k % 4];
-      // Matrices are rounded to float before they are applied, so values that are zero in float may
-      // differ.
+      // Matrices are rounded to float before they are applied, so values may differ if both become
+      // zero in float.
       if (std::bit_cast<std::uint64_t>(x) != std::bit_cast<std::uint64_t>(y) &&
           std::max(std::abs(x), std::abs(y)) >= 0x1p-150) {
         return false;

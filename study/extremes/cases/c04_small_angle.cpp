@@ -3,8 +3,8 @@
 #include <glassbox/pipeline/affine.h>
 
 #include "exact/number.h"
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {

@@ -2,8 +2,8 @@
 #include <glassbox/pipeline/look_at.h>
 
 #include "exact/camera.h"
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
@@ -17,9 +17,10 @@ Outcome measure_error(LookAt look_at_under_test) {
     const WorldPoint target{off, -2 * off, 1};
     const auto view = look_at_under_test(eye, target, up);
     const exact::Matrix4<exact::Decimal> exact = exact::look_at(eye, target, up);
-    // Two rotations of 8 u each and their product, gamma_3 of entries below 1; then the angle of
-    // the roll, whose sine and cosine are quotients of entries with an error of 16 u, divided by
-    // the length of up in the plane (at least 0.97): 8 + 8 + 3 + 17 = 36 u.
+    // The bound of an entry, in units of the unit roundoff u: 8 for each of the two rotations, 3
+    // for their product (gamma_3 of entries below 1), and 17 for the angle of the roll. Its sine
+    // and cosine are quotients of entries with an error of 16 u, divided by the length of up in the
+    // plane, which is at least 0.97. Together 8 + 8 + 3 + 17 = 36 u.
     const double bound = 36 * unit_roundoff<double>;
     const std::string where = fmt::format("gaze {:g} from straight back", off);
     if (view) {
@@ -36,8 +37,8 @@ Result<EyeFromWorld> by_the_book(const WorldPoint& eye, const WorldPoint& target
   return naive::axis_angle_view(eye, target, up, {0, 0, -1});
 }
 
-// For a gaze straight back it turns about y, which is right; for a gaze next to it, it still uses
-// the arccosine.
+// For a gaze straight back, the camera is turned about y, which is right. For a gaze next to it,
+// the arccosine is still used.
 Result<EyeFromWorld> with_arccosine(const WorldPoint& eye, const WorldPoint& target,
                                     const WorldVector& up) {
   if (target.x == eye.x && target.y == eye.y) return look_at_axis_angle(eye, target, up);

@@ -4,10 +4,10 @@
 #include <glassbox/pipeline/projection.h>
 
 #include "exact/camera.h"
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/ray_cast.h"
 #include "study/extremes/common/screen_scene.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/camera.h"
 
 namespace glassbox::study {
@@ -29,8 +29,9 @@ Outcome measure_error(Camera60 camera) {
   for (const auto& [x, y] : kGlyph) {
     const auto p = eye_from_world * exact::exactly<exact::Decimal>(WorldPoint(x, y, 0));
     const Point<Clip, double> c = clip_from_world * WorldPoint(x, y, 0);
-    // The entries of both matrices are right to 16 u, the coordinates are below 8 and w is above 5:
-    // this gives 16 u * 4 * 8 in a coordinate of clip space, and twice that over 5 in the quotient.
+    // The entries of both matrices are right to 16 u (u is the unit roundoff), the coordinates are
+    // below 8 and w is above 5. A coordinate in clip space is a sum of 4 products, so it is right
+    // to 16 u * 4 * 8; the quotient by w is right to twice that over 5.
     constexpr double kBound = 2 * 16 * 4 * 8 / 5.0 * unit_roundoff<double>;
     worst.add(exact::error_of(c.x / c.w, cotangent * p[0] / -p[2]), kBound, "x of the glyph");
     worst.add(exact::error_of(c.y / c.w, cotangent * p[1] / -p[2]), kBound, "y of the glyph");
@@ -46,8 +47,8 @@ Transform<Clip, World> ours(const WorldPoint& eye, const WorldPoint& target,
   return lens() * look_at(eye, target, up).value();
 }
 
-// Exactly as on the slide (S3.37): a proper rotation turns the gaze to +z, and the projection looks
-// along +z (E7).
+// Exactly as on the slide (S3.37): a rotation without reflection turns the gaze to +z, and the
+// projection looks along +z (E7).
 Transform<Clip, World> slide_37(const WorldPoint& eye, const WorldPoint& target,
                                 const WorldVector& up) {
   const Transform<Eye, World> view = naive::axis_angle_view(eye, target, up, {0, 0, 1});

@@ -12,7 +12,8 @@ namespace c07 {
 using Lens = Transform<Clip, Eye> (*)();
 
 Outcome measure_error(Lens lens) {
-  // The matrix T_pers with h = d = 1 maps a point in front of the eye to x/depth, y/depth.
+  // The projection matrix of the slides, T_pers with h = d = 1, maps a point in front of the eye to
+  // (x/depth, y/depth).
   const Transform<Clip, Eye, float> m = round_to_float(lens());
   const auto planes = frustum_planes();
   Random random(707);

@@ -20,7 +20,7 @@ Outcome measure_error(Scale scale) {
     const exact::Decimal half =
         exact::Decimal(degrees) * exact::pi() / exact::Decimal(std::int64_t(360));
     const exact::Decimal exact = exact::Decimal(1) / exact::tan(half);
-    // The bound is 4 ulps, each at most 2 u of the value (projection.h).
+    // The bound is 4 ulps, each at most 2 u of the value (projection.h; u is the unit roundoff).
     worst.add(value ? exact::error_of(*value, exact) / double(exact) : HUGE_VAL,
               8 * unit_roundoff<double>, fmt::format("{} degrees", degrees),
               fov_condition(radians_from_degrees(degrees)));
@@ -42,7 +42,7 @@ std::optional<double> tangent_in_float(double degrees) {
   return 1 / std::tan(float(degrees) * 3.14159265f / 360);
 }
 // Checks the angle and computes in double, but converts to radians: near 180 degrees, the rounding
-// error of the conversion is multiplied by x/sin x.
+// error of the conversion is multiplied by x/sin x, where x is the angle.
 std::optional<double> by_radians(double degrees) {
   if (!ours(degrees)) return std::nullopt;
   return 1 / std::tan(radians_from_degrees(degrees) / 2);

@@ -21,7 +21,7 @@ Outcome measure_error(Lens lens) {
     const Rational near(n), far(f);
     const Rational alpha = -far / (far - near), beta = -near * far / (far - near);
     const std::string where = fmt::format("near {:g}, far {:g}", n, f);
-    // The bound is 4 ulps, each at most 2 u of the value (projection.h).
+    // The bound is 4 ulps, each at most 2 u of the value (projection.h; u is the unit roundoff).
     constexpr double kBound = 8 * unit_roundoff<double>;
     worst.add(m ? exact::error_of(m->at(2, 2), alpha) / -double(alpha) : HUGE_VAL, kBound, where);
     worst.add(m ? exact::error_of(m->at(2, 3), beta) / -double(beta) : HUGE_VAL, kBound, where);
@@ -49,8 +49,8 @@ Result<Transform<Clip, Eye>> swapped_when_out_of_order(double near, double far) 
   return far < near ? ours(far, near) : ours(near, far);
 }
 
-// Triangles between the two planes, none in front of another: few steps of depth are left, so none
-// could be told to be nearer.
+// Triangles between the near and far planes, none in front of another one: few steps of depth are
+// left, so it would not be known which one is nearer.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     std::vector<RayCastReference> all;
@@ -73,7 +73,7 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
                                           {0.9f * d, 0.9f * d, -d},
                                           {-0.8f * d, 0.9f * d, -d}}};
       // Adds a triangle beyond the far plane, but only if the depth shows that: with n = 1e-30, 1 -
-      // n/z is 1 in float both before and behind that plane.
+      // n/z is 1 in float on both sides of that plane.
       if (planes.near > 0x1p-24 || planes.format == DepthFormat::kFloat32Reversed) {
         const float z = -2 * float(planes.far);
         triangles.push_back({Point<Eye>{2 * z, 0, z}, {-2 * z, z, z}, {-2 * z, -z, z}});

@@ -19,8 +19,8 @@ views::Matrix3d normalised_by_normal_equations(const views::Matches& pixels) {
   return normal->right.transpose() * m * normal->left;
 }
 
-// The matches have no noise, so every error comes from rounding. Compares essential matrices,
-// because the entries of a fundamental matrix have very different sizes.
+// The matches have no noise, so every error comes from rounding. Compares essential matrices and
+// not fundamental ones, whose entries have very different sizes.
 Outcome measure_error(Solver solver) {
   Random random(100);
   WorstError worst;

@@ -5,8 +5,8 @@
 namespace glassbox::study {
 namespace c103 {
 
-// Points on the quadric x^2 - x + y z = 0. It is ruled and contains both camera centres, (0, 0, 0)
-// and (1, 0, 0).
+// Points on the quadric x^2 - x + y z = 0. It is a critical surface, because it is ruled (made of
+// straight lines) and contains both camera centres, (0, 0, 0) and (1, 0, 0).
 views::Matches on_quadric(Random& random, const views::StereoRig& rig, double sigma) {
   views::Matches pixels;
   while (pixels.size() < 60) {
@@ -28,11 +28,13 @@ views::PairKind by_gap(const DecisionInput& asked) {
 views::PairKind eight_points_do(const DecisionInput& asked) {
   return naive::always_general(asked.judged);
 }
-// Fails with noise, because the rank is then full.
+// Recognises a critical surface by a rank below 8. This fails with noise, because the rank is then
+// full.
 views::PairKind by_rank(const DecisionInput& asked) {
   return asked.rank < 8 ? views::PairKind::kCritical : views::PairKind::kGeneral;
 }
-// Tests only for homographies: a critical surface is not a plane, so such a pair counts as general.
+// Tests only for homographies. Points on a critical surface satisfy none, so such a pair of cameras
+// counts as general.
 views::PairKind by_homography(const DecisionInput& asked) {
   return asked.judged.kind == views::PairKind::kCritical ? views::PairKind::kGeneral
                                                          : asked.judged.kind;

@@ -17,8 +17,8 @@ views::RelativePose in_front(const views::Matrix3d& essential, const views::Matc
   return chosen ? chosen->pose : views::RelativePose{};
 }
 
-// A rotation and a direction are each made of a few products of orthogonal matrices that are right
-// to about 50 u.
+// The rotation and the direction of a pose are products of a few orthogonal matrices that are right
+// to about 50 u each (u is the unit roundoff), so the bound is 512 u.
 Outcome measure_error(Choice choice) {
   Random random(105);
   ErrorsAboveBound errors(512 * unit_roundoff<double>);

@@ -15,8 +15,9 @@ views::Matrix3d after(const views::Matches& calibrated) {
   return fit ? fit->matrix : views::Matrix3d::Zero();
 }
 
-// Demazure's sum has three products of three factors of norm 1, with 9 products for each entry:
-// about 60 u, including the error of E itself.
+// Demazure's sum is zero for an essential matrix E. It has three products of three factors of norm
+// 1, with 9 products for each entry: its rounding error is about 60 u (u is the unit roundoff),
+// including the error of E itself.
 Outcome measure_error(Estimator estimator) {
   Random random(106);
   ErrorsAboveBound errors(64 * unit_roundoff<double>);

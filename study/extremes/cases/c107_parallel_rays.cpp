@@ -14,8 +14,8 @@ bool is_right(const views::Triangulated& found, double disparity) {
   if (disparity == 0) return !found.is_finite() && found.in_front_of_both;
   if (disparity < 0) return found.is_finite() && !found.in_front_of_both;
   const double depth = 800 * 0.1 / disparity;
-  // Calibrated points are right to 4 u. The disparity is their difference: two numbers of about 100
-  // px are subtracted.
+  // The bound has the unit roundoff u = 2^-53. Calibrated points are right to 4 u, and the
+  // disparity is the difference of two of them, numbers of about 100 px.
   const double bound = 64 * 0x1p-53 * depth * (1 + 100 / disparity);
   return found.in_front_of_both && std::abs(found.point.z() - depth) <= bound;
 }
@@ -29,7 +29,8 @@ Outcome measure_error(Triangulation triangulation) {
       ++tried;
     }
   }
-  // If the cameras are turned, the two parallel directions differ by their rounding errors.
+  // If the cameras are turned, two parallel lines of sight have directions that differ by rounding
+  // errors.
   Random random(107);
   for (int i = 0; i < 20; ++i) {
     views::StereoRig rig = random_rig(random);

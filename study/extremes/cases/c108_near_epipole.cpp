@@ -11,14 +11,15 @@ using PredictedError = double (*)(const views::Vector3d& point, const views::Ste
 double by_covariance(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
   return std::sqrt(views::covariance_of(point, rig, sigma)(2, 2));
 }
-// The formula for parallel cameras, used for every direction of the baseline.
+// Uses the formula for parallel cameras, whatever the direction of the baseline is.
 double by_parallel_law(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
   return views::depth_error_of_parallel(point.z(), sigma, 800, rig.pose.translation.norm());
 }
 double one_picture_alone(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
   return by_covariance(point, rig, sigma) / std::sqrt(2.0);
 }
-// Uses the sine of the angle at the camera instead of the angle at the point.
+// Uses the sine of the angle at the camera between baseline and line of sight, instead of the angle
+// at the point between both lines of sight.
 double by_sine_at_camera(const views::Vector3d& point, const views::StereoRig& rig, double sigma) {
   const double sine = point.head<2>().norm() / point.norm();
   return by_parallel_law(point, rig, sigma) / std::sqrt(sine);
@@ -26,9 +27,9 @@ double by_sine_at_camera(const views::Vector3d& point, const views::StereoRig& r
 
 constexpr int kSamples = 4000;
 
-// Compares the prediction with the deviation over 4000 noisy pairs of pixels. That deviation has an
-// uncertainty of 1/sqrt(2 n), of which four are allowed; the noise is so small that the depth is
-// linear in it.
+// Compares the prediction with the standard deviation over n = 4000 noisy pairs of pixels. The
+// measured deviation has a relative standard error of 1/sqrt(2 n), and four times that is allowed.
+// The noise is so small that the depth is linear in it.
 Outcome measure_error(PredictedError predicted_error) {
   Random random(108);
   constexpr double kSigma = 0.01, kBound = 0.0447;  // 4/sqrt(8000)

@@ -8,14 +8,14 @@ namespace c109 {
 
 constexpr double kSigma = 0.5, kDepth = 5;
 
-// Predicts the standard deviation of the depth.
+// Predicts the standard deviation of the depth of a point.
 using PredictedError = double (*)(const views::StereoRig& rig);
 
 double by_covariance(const views::StereoRig& rig) {
   const double variance = views::covariance_of({0, 0, kDepth}, rig, kSigma)(2, 2);
   return std::isinf(variance) ? variance : std::sqrt(variance);
 }
-// Wrong argument: the reprojection of a point differs little from its pixels, so the point must be
+// Concludes wrongly: the projection of a point differs little from its pixels, so the point must be
 // accurate.
 double by_reprojection(const views::StereoRig&) {
   return kDepth * kSigma / 800;
@@ -28,7 +28,8 @@ double never_infinite(const views::StereoRig& rig) {
   return std::isinf(said) ? 0 : said;
 }
 
-// The formula holds for small angles, with an error of (B/Z)^2; the matrix that is inverted has a
+// The formula for parallel cameras holds for small angles, with a relative error of about (B/Z)^2,
+// for the baseline B and the depth Z. The predicted error comes from the inverse of a matrix with a
 // condition number of (Z/B)^2.
 Outcome measure_error(PredictedError predicted_error) {
   WorstError worst;

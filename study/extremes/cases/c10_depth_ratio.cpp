@@ -18,8 +18,8 @@ struct Planes {
 // Computes the depth as it is stored, in float: 1 at the near plane, 0 at the far plane.
 using ReversedDepth = float (*)(const Planes&, float distance);
 
-// The distance that belongs to a reversed depth: n f / (n + d (f - n)), and n/d for an infinite far
-// plane.
+// The distance that belongs to a reversed depth d: n f / (n + d (f - n)) for planes at n and f, and
+// n/d for an infinite far plane.
 Rational distance_of(const Planes& planes, float depth) {
   const Rational n(planes.near), d(static_cast<double>(depth));
   if (std::isinf(planes.far)) return n / d;
@@ -37,8 +37,10 @@ Outcome measure_error(ReversedDepth depth) {
       const float d = depth(planes, distance);
       const Rational exact(static_cast<double>(distance));
       const double error = d > 0 ? double(abs(distance_of(planes, d) - exact) / exact) : kInfinity;
-      // Two rounded entries, a product, a sum and a quotient give 5 u of the two terms n/z and n/f
-      // of the depth: dz/z = z (f - n)/(f n) * 5 u (n/z + n/f) < 5 u (1 + z/f).
+      // Two rounded entries, a product, a sum and a quotient: each has an error of up to u (the
+      // unit roundoff) of the two terms n/z and n/f of the depth, together 5 u (n/z + n/f). The
+      // distance changes by z (f - n)/(f n) times that, as a fraction of z: less than 5 u (1 +
+      // z/f).
       const double bound = 5 * unit_roundoff<float> * (1 + z / far) * (1 + 0x1p-20);
       worst.add(error, bound, fmt::format("far {:g}, distance {:.4g}", far, z), 1 + z / far);
     }
@@ -69,7 +71,7 @@ float through_gl(const Planes& planes, float distance) {
 }
 
 // Rectangles at right angles to the gaze, and the depths that a run stores for them. All vertices
-// of one have the same depth, so interpolation adds no rounding error.
+// of a rectangle have the same depth, so interpolation adds no rounding error.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   WorstError worst;
   for (const double far : {100.0, 1e5, 1e8, double(HUGE_VAL)}) {
@@ -77,7 +79,8 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
       const double n = 0.125;
       const auto code = pane_code_drawn(engine, n, far, DepthFormat::kFloat32Reversed, z);
       const double depth = depth_of_reversed_code(code), share = std::isinf(far) ? 0 : n / far;
-      // depth = (n/z - share) / (1 - share), so z = n / (depth (1 - share) + share).
+      // With share = n/f: depth = (n/z - share) / (1 - share), so z = n / (depth (1 - share) +
+      // share).
       const double recovered = n / (depth * (1 - share) + share);
       const double condition = 1 + (std::isinf(far) ? 0 : double(z) / far);
       worst.add(std::abs(recovered / double(z) - 1),

@@ -6,14 +6,14 @@ namespace c110 {
 
 constexpr int kDisparity = 9;
 
-// The right picture, either unchanged or with gain, offset and darker edges. The noise is dark
-// enough that nothing is clipped.
+// The right picture, either unchanged or with gain, offset and darker edges. The noise is so dark
+// that no changed grey value is above 255.
 Image<Rgba8> right_picture(const Image<Rgba8>& left, bool changed) {
   Image<Rgba8> right = moved_left(left, kDisparity, 111, 127);
   if (!changed) return right;
   for (int y = 0; y < right.height; ++y) {
     for (int x = 0; x < right.width; ++x) {
-      // distance from the middle in per cent
+      // The distance from the picture's middle, as a percentage of half the width.
       const int from_middle = std::abs(2 * x - right.width) * 100 / right.width;
       Rgba8& pixel = right.at(x, y);
       const int grey = (pixel.g * 13 / 10 + 40) * (1000 - from_middle) / 1000;

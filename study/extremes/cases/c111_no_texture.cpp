@@ -7,7 +7,7 @@ namespace c111 {
 
 constexpr int kWidth = 80, kHeight = 20;
 
-// A wall with stripes of a period of 8 px and noise from 0 to 8, or a blank wall.
+// A wall with stripes that repeat every 8 px and noise from 0 to 8, or a blank wall.
 Image<Rgba8> wall(bool striped, std::uint64_t seed) {
   Image<Rgba8> picture = grey_noise(kWidth, kHeight, seed, 8);
   for (int y = 0; y < kHeight; ++y) {
@@ -20,8 +20,9 @@ Image<Rgba8> wall(bool striped, std::uint64_t seed) {
   return picture;
 }
 
-// Counts the pixels of walls that get an answer, and the pixels of clear noise that get none. Every
-// disparity of the range is possible in columns 40 to 69.
+// Counts the pixels of walls that get an answer although they should not, and the pixels of clear
+// noise that get none. Only columns 40 to 69 are counted, where every disparity of the range is
+// possible.
 Outcome measure_error(const views::MatchSettings& settings) {
   int guessed = 0, silent = 0;
   const auto answered = [&](const Image<Rgba8>& left, const Image<Rgba8>& right) {

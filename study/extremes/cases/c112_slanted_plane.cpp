@@ -10,8 +10,8 @@ double disparity_at(double x, double y) {
   return 4 + 0.1 * x + 0.05 * y;
 }
 
-// Smooth noise on the plane of the right picture: a random value every five pixels, with cosine
-// interpolation between them.
+// Smooth noise as the texture of the plane, in pixels of the right picture: a random value every
+// five pixels, with cubic interpolation between them.
 class Texture {
 public:
   Texture() : codes_(grey_noise(kWidth, kHeight, 112)) {}
@@ -48,7 +48,8 @@ Pictures pictures() {
   return made;
 }
 
-// Chooses the final disparity from the one with a subpixel part and the one in whole pixels.
+// Chooses the final disparity from the `refined` one, which has a fraction of a pixel, and the one
+// in `whole` pixels.
 using ChooseDisparity = double (*)(double refined, double whole);
 
 // The root mean square error over the pixels that the right picture also shows; a pixel without an

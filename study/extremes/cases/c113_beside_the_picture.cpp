@@ -24,9 +24,9 @@ Image<float> match_positive_disparities(const Image<Rgba8>& left, const Image<Rg
   return ours(left, right, {std::max(0, range.first), range.last});
 }
 
-// Counts three kinds of errors: an answer for a pixel that has no match within the range in the
-// right picture; an answer that is outside the range by more than the half pixel of its refinement;
-// and a pixel of the wall at -4 for which that disparity is not found.
+// Counts three kinds of errors: a disparity for a pixel that has no match within the range in the
+// right picture; a disparity that is outside the range by more than half a pixel, which subpixel
+// refinement may add; and a pixel of the wall with disparity -4 for which -4 is not found.
 Outcome measure_error(Matcher matcher) {
   constexpr int kWidth = 60, kHeight = 30;
   const Image<Rgba8> left = grey_noise(kWidth, kHeight, 113);

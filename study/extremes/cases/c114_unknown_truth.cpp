@@ -40,8 +40,8 @@ double with_offset(double disparity, const views::Calibration& calibration) {
   return double(views::depths_of(one, calibration).pixels[0]);
 }
 
-// Three of seven pixels are known, and one of them has an error of 3 px. Depths are floats,
-// computed with a sum, a product, a quotient and a final rounding.
+// Three of seven pixels have a known disparity, and one of these has an error of 3 px. Depths are
+// floats, computed with a sum, a product, a quotient and a final rounding.
 Outcome measure_error(auto rms_by, auto depth_by) {
   const Subject114 subject{rms_by, depth_by};
   Image<float> truth(7, 1), disparity(7, 1);

@@ -30,8 +30,9 @@ views::Bands empty_bands(int count) {
   return bands;
 }
 
-// The samples are 10^6 + k/16 with small integers k, so that their covariance is a quotient of
-// integers: (N sum kl - sum k sum l)/(16 N)^2.
+// The samples are 10^6 + k/16 with small integers k, so that the covariance of two bands with the
+// integers k and l is a quotient of integers: (N sum k l - sum k sum l)/(16 N)^2, where N is the
+// number of pixels.
 void measure_mean_error(const Subject115& subject, WorstError& worst) {
   Random random(115);
   views::Bands bands = empty_bands(3);
@@ -57,9 +58,10 @@ void measure_mean_error(const Subject115& subject, WorstError& worst) {
           double(pixels * sum_ab - sum_a * sum_b) / double(256 * pixels * pixels);
     }
   }
-  // The second pass leaves the mean with an error of u of itself, which changes the squares by the
-  // square of that error. The differences from the mean are computed from numbers near 10^6, so
-  // they are right to u 10^6, for a deviation of 1. The sums have 2 kSide rounding errors.
+  // The bound has the unit roundoff u. The mean has a relative error of u, which changes the sums
+  // of squares by the square of that error. The differences from the mean are computed from numbers
+  // near 10^6, so they have errors of u 10^6 for a deviation of about 1. The sums have 2 kSide
+  // rounding errors.
   const double u = unit_roundoff<double>, trace = right.trace();
   const double bound = 2 * kSide * u + 4 * u * 1e6 / std::sqrt(trace);
   const double error = (subject.covariance(bands) - right).cwiseAbs().maxCoeff() / trace;
@@ -67,9 +69,9 @@ void measure_mean_error(const Subject115& subject, WorstError& worst) {
             1e12 / trace);
 }
 
-// The variance is the same in two directions of space and smaller in the third; then everything is
-// rotated. The space of the first two components rotates too, while their individual vectors depend
-// on rounding errors in the last digit.
+// The variance is the same in two directions of space and smaller in the third; then all samples
+// are rotated. The plane of the first two components rotates with them, while the two vectors
+// themselves depend on rounding errors in the last digit.
 void measure_space_error(const Subject115& subject, WorstError& worst) {
   Random random(116);
   for (int turn = 0; turn < 20; ++turn) {
@@ -91,8 +93,9 @@ void measure_space_error(const Subject115& subject, WorstError& worst) {
     const auto klt = views::klt_of(bands), other = views::klt_of(turned);
     const double angle =
         subject.angle(rotation * klt->vectors.leftCols(2), other->vectors.leftCols(2));
-    // The bound is |C' - C|/gap (theorem of Davis and Kahan). The covariance is right to 2 kSide +
-    // 9 rounding errors of the trace, and the solver to as many again (transform.h).
+    // The bound of the angle is |C' - C|/gap for the computed covariance C' and the exact one C
+    // (theorem of Davis and Kahan). The covariance has 2 kSide + 9 rounding errors of the size of
+    // the trace, and the solver as many again (transform.h).
     const double gap = klt->eigenvalues[1] - klt->eigenvalues[2];
     const double bound = 2 * (2 * kSide + 9) * unit_roundoff<double> * klt->trace() / gap;
     worst.add(angle, bound, fmt::format("turn {}: {:.3g} radians", turn, angle));

@@ -2,8 +2,8 @@
 #include <glassbox/base/trig.h>
 #include <glassbox/pipeline/affine.h>
 
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
-#include "study/extremes/common/world.h"
 
 namespace glassbox::study {
 namespace c11 {
@@ -21,8 +21,9 @@ Outcome measure_error(Repair repair) {
     turned = step * turned;
     if (i % kBetweenRepairs == 0) turned = repair(turned);
   }
-  // The entries are rounded to float after the repair: R^T R has an error of 2 * 3 u for entries of
-  // at most 1, and the repair itself has one of 8 u of double.
+  // The entries are rounded to float after the rotation has been repaired: R^T R has an error of 2
+  // * 3 u (u is the unit roundoff of float) for entries of at most 1. The repair itself has an
+  // error of 8 u of double.
   return {orthogonality_error(glm::dmat3(turned)), 8.0 * unit_roundoff<float>, std::nullopt,
           fmt::format("after {} products", kSteps)};
 }

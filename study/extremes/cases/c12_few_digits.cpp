@@ -3,8 +3,8 @@
 #include <glassbox/pipeline/view.h>
 
 #include <glassbox/base/random.h>
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
-#include "study/extremes/common/world.h"
 
 namespace glassbox::study {
 namespace c12 {
@@ -27,18 +27,20 @@ Outcome measure_error(ViewOf view_of) {
       }
     }
     const EyeFromWorld view = view_of(printed);
-    // The nearest rotation is orthogonal to 8 u; the check itself adds three products and sums of
-    // entries of at most 1.
+    // The nearest rotation is orthogonal to 8 u (u is the unit roundoff); the test for this adds
+    // three products and their sums, of entries of at most 1.
     worst.add(orthogonality_error(glm::dmat3(view.columns)), 12 * unit_roundoff<double>,
               fmt::format("rotation {}", i));
-    // A point at the corner of a picture of 640 x 480 px with a focal length of 1000 px.
+    // A point that is seen at the corner of a picture of 640 x 480 px with a focal length of 1000
+    // px.
     const Point<World, double> p = exact * Point<Eye, double>(0.32, 0.24, -1);
     const Point<Eye, double> q = view * p;
     moved =
         std::max({moved, 1000 * std::abs(q.x / -q.z - 0.32), 1000 * std::abs(q.y / -q.z - 0.24)});
   }
-  // The few digits change each entry by at most 5e-7, and the repair by as much: 1000 px * 3 *
-  // 1e-6, and the divide.
+  // Rounding to six digits changes each entry by at most 5e-7, and making the matrix a rotation
+  // again changes it by as much. Three entries move the point by up to 1000 px * 3 * 1e-6, and the
+  // divide at most doubles that.
   if (!(moved <= 1000 * 3 * 1e-6 * 2)) worst.add(HUGE_VAL, 0, "the picture moves");
   return worst.outcome(fmt::format("the picture moves by up to {:.1e} px", moved));
 }

@@ -5,9 +5,9 @@
 #include <glassbox/base/random.h>
 #include <glassbox/mesh/builtin/sphere.h>
 #include "exact/camera.h"
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/ray_cast.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -31,9 +31,10 @@ Outcome measure_error(ToEye to_eye) {
                                           Decimal(place.y) + Decimal(double(p.y)),
                                           Decimal(place.z) + Decimal(double(p.z)), Decimal(1)};
       const auto exact = exact_view * world;
-      // In float: u |M||x| from the matrix entries and gamma_4 |M||x| from the transform, where
-      // |M||x| <= sqrt(3) + 7.1 < 9. In double: the translation, three products and sums with sizes
-      // up to 2.3 offset, and the 16 u of them from the rotation itself.
+      // With the matrix M, the point x and the unit roundoff u. In float: u |M||x| from the rounded
+      // entries and gamma_4 |M||x| from the transform, where |M||x| <= sqrt(3) + 7.1 < 9. In
+      // double: 24 u times 2.3 offset, which is 8 for the translation with three products and sums
+      // of this size, and 16 for the rotation itself.
       const double bound =
           9 * (unit_roundoff<float> + gamma<float>(4)) + 24 * 2.3 * offset * unit_roundoff<double>;
       const std::string where = fmt::format("offset {:g}", offset);

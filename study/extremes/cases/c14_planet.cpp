@@ -3,9 +3,9 @@
 
 #include <glassbox/mesh/builtin/cube.h>
 #include "exact/number.h"
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/ray_cast.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -14,8 +14,8 @@ namespace c14 {
 using exact::Rational;
 
 Outcome measure_error(ToEye to_eye) {
-  // The camera's axes are those of the world, and its position needs few bits: everything except
-  // the coordinates is exact.
+  // The camera's axes are those of the world, and its position needs few bits, so only the
+  // coordinates of the points are rounded.
   const WorldVector place{6.378e6, 0, 0};
   const auto view =
       look_at(WorldPoint{0, 0, 2} + place, WorldPoint{0, 0, 0} + place, {0, 1, 0}).value();
@@ -28,7 +28,7 @@ Outcome measure_error(ToEye to_eye) {
       const std::string where = fmt::format("a cube of {:.1f} m", 2 * half);
       worst.add(exact::error_of(double(image.x), Rational(double(p.x))), 0, where);
       worst.add(exact::error_of(double(image.y), Rational(double(p.y))), 0, where);
-      // A single rounding of z - 2, whose size is below 4: half an ulp of 2.
+      // Only z - 2 is rounded, once; its size is below 4, so the error is at most half an ulp of 2.
       worst.add(exact::error_of(double(image.z), Rational(double(p.z)) - Rational(2)), 0x1p-23,
                 where);
     }

@@ -5,9 +5,9 @@
 #include <glassbox/mesh/builtin/sphere.h>
 #include "exact/matrix.h"
 #include "exact/number.h"
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/ray_cast.h"
-#include "study/extremes/common/world.h"
 
 namespace glassbox::study {
 namespace c15 {
@@ -22,7 +22,7 @@ std::vector<WorldMap> hierarchy() {
   std::vector<WorldMap> levels;
   for (int i = 0; i < kDepth; ++i) {
     const WorldVector axis{random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)};
-    // The scales alternate between larger and smaller, so that the object keeps its size on the
+    // The scales are larger and smaller than 1 in turn, so that the object keeps its size on the
     // whole.
     const double s = i % 2 == 0 ? 1.25 : 0.8;
     const WorldMap turn = rotate_degrees<World>(axis, random.between(0, 360)).value();
@@ -40,9 +40,10 @@ Outcome measure_error(Compose compose) {
   for (const WorldMap& level : levels) {
     exact = exact * exact::exactly<Decimal>(level);
   }
-  // Level i rounds the entries of the product so far: gamma_4 |P_(i-1)||M_i|, which a rotation and
-  // a scale of at most 1.25 carry on. |P||M| <= sqrt(3) 1.25 in the linear part and 4 (3 1.25 + i)
-  // in the last column; over 100 levels: 100 gamma_4 1.25 4 (4 + 100).
+  // Level i multiplies the product P of the levels before it by a matrix M, with rounding errors of
+  // gamma_4 |P||M|. The later levels, rotations and scales, enlarge these errors by at most 1.25.
+  // |P||M| is at most sqrt(3) 1.25 in the linear part and 4 (3 1.25 + i) in the last column. Over
+  // 100 levels this is less than 100 gamma_4 1.25 4 (4 + 100).
   const double bound = kDepth * gamma<double>(4) * 1.25 * 4 * (4 + kDepth);
   add_entry_errors(worst, WorldMap(product), exact, 4, bound, "object to world");
   // Transforms a point to the world and back again.

@@ -15,8 +15,9 @@ Outcome measure_error(TransformNormal transform) {
     for (const auto& m : {upright, sheared}) {
       for (const Normal<Object>& n : {Normal<Object>(0.6f, 0, 0.8f), Normal<Object>(0, 1, 0),
                                       Normal<Object>(0, -0.8f, 0.6f)}) {
-        // Entries rounded to float, three products and two sums of two terms of the same size, and
-        // the components of the unit vector: 10 u of float covers them (C-16).
+        // The entries are rounded to float; then there are three products, two sums of two terms of
+        // the same size, and the components of the unit vector. 10 u (u is the unit roundoff of
+        // float) covers all these rounding errors (C-16).
         worst.add(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
                   fmt::format("scale (1, 1, {:g})", squash));
       }
@@ -25,7 +26,8 @@ Outcome measure_error(TransformNormal transform) {
   return worst.outcome();
 }
 
-// Triangles in the plane that is not squashed, with these normals at their corners.
+// Triangles in the plane that is not squashed, with the same normals as in measure_error at their
+// corners.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<NormalTestMesh> meshes = [] {
     std::vector<NormalTestMesh> all;
@@ -41,7 +43,7 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
     }
     return all;
   }();
-  // The bound is 10 u for the normal, plus 4 u for the interpolation of three equal ones.
+  // The bound is 10 u for the normal, plus 4 u for the interpolation of three equal normals.
   return measure_normal_error(engine, meshes, Shading::kPhong, 14.0 * unit_roundoff<float>);
 }
 

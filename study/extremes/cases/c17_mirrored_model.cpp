@@ -4,10 +4,10 @@
 #include <glassbox/render/staged/staged.h>
 
 #include <glassbox/base/random.h>
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/normals_case.h"
 #include "study/extremes/common/ray_cast.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
@@ -23,8 +23,8 @@ class IgnoreMirror : public Observer {
   void facing_tested(const TriangleSetup&, bool front, bool& culled) override { culled = front; }
 };
 
-// Counts the pixels of a mirrored cube whose depth is not that of the nearest face, which is the
-// front one.
+// Counts the pixels of a mirrored cube whose depth is not that of the nearest face, which is a
+// front face.
 int wrong_faces_seen(Observer* observer) {
   Scene cube = make_cube();
   for (Node& node : cube.nodes) {
@@ -87,15 +87,15 @@ Outcome measure_error_without_mirror() {
 // order of the vertices.
 Normal<World> by_edges(const Transform<World, Object>& m, const Normal<Object>& n) {
   const Vector<Object, double> normal(n.x, n.y, n.z);
-  // perpendicular if the normal is an axis
+  // u is perpendicular to the normal if the normal is an axis; v is perpendicular to both.
   const Vector<Object, double> u(normal.y, normal.z, normal.x);
   const Vector<Object, double> v = cross(normal, u);
   const Vector<World, double> crossed = cross(m * u, m * v);
   return {float(crossed.x), float(crossed.y), float(crossed.z)};
 }
 
-// A mirrored cube with back-face culling must show exactly one layer everywhere, that of the front
-// faces.
+// A mirrored cube with back-face culling must show exactly one layer everywhere, which is the layer
+// of the front faces.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> cubes = [] {
     std::vector<RayCastReference> all;

@@ -14,8 +14,8 @@ Outcome measure_error(TransformNormal transform) {
   for (const auto& m : {flat, turn * flat}) {
     for (const Normal<Object>& n : {Normal<Object>(0, 0, 1), Normal<Object>(0.6f, 0, 0.8f),
                                     Normal<Object>(0, -0.8f, -0.6f)}) {
-      // The same bound as in c16_squashed_normal.cpp. Even if the model is also turned, the columns
-      // of the rounded matrix span a plane, and the exact cofactors belong to that plane.
+      // The same bound as in c16_squashed_normal.cpp. Even if the model is also turned, rounding
+      // leaves the columns of the matrix in a plane, and the exact cofactors belong to that plane.
       worst.add(normal_error(transform(m, n), m, n), 10.0 * unit_roundoff<float>,
                 fmt::format("normal ({:g}, {:g}, {:g})", n.x, n.y, n.z));
     }
@@ -27,8 +27,8 @@ Outcome measure_error(TransformNormal transform) {
   return worst.outcome();
 }
 
-// A triangle in the plane that is left, with these normals at its corners; the last mesh has no
-// normal.
+// A triangle in the plane into which the model is flattened, with one of several normals at its
+// corners; the last one, (1, 0, 0), becomes zero, so this mesh has no normal.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<NormalTestMesh> meshes = [] {
     std::vector<NormalTestMesh> all;

@@ -3,17 +3,17 @@
 
 #include "exact/matrix.h"
 #include "exact/number.h"
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/ray_cast.h"
 #include "study/extremes/common/screen_scene.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/transform.h"
 
 namespace glassbox::study {
 namespace c19 {
 
 using exact::Rational;
-// Turns the object about its own origin first, then moves it.
+// Returns the matrix that turns the object about its own origin first, then moves it.
 using ComposeModelMatrix = glm::dmat4 (*)(const WorldMap& turn, const WorldMap& move);
 
 Outcome measure_error(ComposeModelMatrix place) {
@@ -49,8 +49,8 @@ glm::dmat4 transposed_storage(const WorldMap& turn, const WorldMap& move) {
   return (move * WorldMap(glm::transpose(turn.columns))).columns;
 }
 
-// A triangle placed in this way, compared with its exact place in whole numbers: T R p minus the
-// place of the eye.
+// A triangle that is turned and moved, compared with its exact place in whole numbers: T R p
+// (translation, rotation, point) minus the place of the eye.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     std::vector<RayCastReference> all;

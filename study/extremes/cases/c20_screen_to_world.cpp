@@ -17,15 +17,16 @@ View view_of(DepthRange range) {
   return make_view(camera, 1280, 720, range).value();
 }
 
-// Transforms a point down the pipeline in float, and its depth back to a distance along the gaze.
+// Transforms a point to depth through the pipeline in float, and computes the distance along the
+// gaze back from that depth.
 using RoundTrip = double (*)(float distance);
 
 Outcome measure_error(RoundTrip round_trip) {
   WorstError worst;
   for (double z = 0.02; z < 900; z *= 1.21) {
     const float distance = float(z);
-    // The bound for reversed depth, 5 u (1 + z/f), as in c10_depth_ratio.cpp. The way back is in
-    // double, which adds nothing of that size.
+    // The bound for reversed depth is 5 u (1 + z/f), as in c10_depth_ratio.cpp (u is the unit
+    // roundoff). The distance is computed back in double, whose errors are much smaller.
     const double bound = 5.01 * unit_roundoff<float> * (1 + z / kFar);
     worst.add(std::abs(round_trip(distance) / double(distance) - 1), bound,
               fmt::format("distance {:.4g}", z));

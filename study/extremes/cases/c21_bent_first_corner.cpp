@@ -16,7 +16,7 @@ Outcome measure_error(PolygonNormal normal) {
   WorstError worst;
   for (const double bend : {1e-1, 1e-2, 1e-3, 1e-4}) {
     for (int i = 0; i < 50; ++i) {
-      // A square of side 2 whose first corners are almost on a line.
+      // A square of side 2 whose first three corners are almost on a line.
       const double outline[][2] = {{0, -1}, {0.5, -1 - bend}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
       Polygon polygon;
       for (const auto& [x, y] : outline) {
@@ -24,9 +24,10 @@ Outcome measure_error(PolygonNormal normal) {
         const double dx = noise(), dy = noise();
         polygon.emplace_back(float(x + dx), float(y + dy), float(noise()));
       }
-      // m = sum p_i x p_(i+1), so dm = sum d_i x (p_(i+1) - p_(i-1)) to first order. Here |d| <=
-      // sqrt(3) s, the diagonals add up to at most twice the perimeter of 8.1, and |m| is twice the
-      // area of 4. The second-order term is smaller by a factor of s.
+      // Newell's vector is m = sum p_i x p_(i+1) over the corners p_i. If each corner moves by d_i,
+      // m changes by sum d_i x (p_(i+1) - p_(i-1)) to first order. Here |d_i| <= sqrt(3) kNoise,
+      // the diagonals p_(i+1) - p_(i-1) add up to at most twice the perimeter of 8.1, and |m| is
+      // twice the area of 4. The second-order term is smaller by a factor of kNoise.
       const double bound = std::sqrt(3.0) * kNoise * 2 * 8.1 / 8 * 1.01;
       worst.add(angle_to(normal(polygon), up), bound, fmt::format("bend {:g}", bend), 1 / bend);
     }
@@ -34,8 +35,8 @@ Outcome measure_error(PolygonNormal normal) {
   return worst.outcome();
 }
 
-// Such hexagons, each lit with a single normal, compared with the rational Newell vector of the
-// same floats.
+// Hexagons of this kind, each lit with a single normal, compared with the Newell vector of the same
+// floats in rational numbers.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<NormalTestMesh> meshes = [] {
     Random random(821);

@@ -16,14 +16,15 @@ Outcome measure_error(PolygonNormal normal) {
     Polygon octagon;
     for (int i = 0; i < 8; ++i) {
       const SinCos turn = sin_cos_degrees(45.0 * i);
-      // The polygon leans, so that all three components matter.
+      // The polygon is tilted, so that all three components matter.
       octagon.emplace_back(float(offset + turn.cos), float(offset + turn.sin),
                            float(offset + 0.5 * turn.cos - 0.25 * turn.sin));
     }
-    // The rounded corners count as exact: the polygon that is judged is the rounded one. In double,
-    // edges between floats are exact. The bound is gamma_(N+3) sum |difference| |sum| (bound 6),
-    // with 8 edges shorter than 1.1 and sums below 5 from the first corner, in three components,
-    // over |m| > 5.
+    // The corners count as exact after they are rounded to float, because the test is made with the
+    // rounded polygon. In double, differences of floats are exact here. The bound of Newell's sums
+    // is gamma_(N+3) sum |difference| |sum| (docs/references.md, bound 6), with N = 8 edges shorter
+    // than 1.1 and sums below 5, measured from the first corner, in three components. The bound of
+    // the angle is this divided by |m|, the length of Newell's vector, which is above 5.
     const double bound = gamma<double>(11) * std::sqrt(3.0) * 8 * 1.1 * 5 / 5;
     worst.add(angle_to(normal(octagon), exact_newell(octagon)), bound,
               fmt::format("offset {:g}", offset), 1 + offset);
@@ -36,7 +37,7 @@ Vector<Object, double> newell_in_float(std::span<const Point<Object>> polygon) {
   return {m.x, m.y, m.z};
 }
 
-// The octagon and similar polygons, which their placement moves back to the origin.
+// The octagon and similar polygons, each moved back to the origin by the matrix of its node.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<NormalTestMesh> meshes = [] {
     std::vector<NormalTestMesh> all;

@@ -8,8 +8,8 @@ namespace glassbox::study {
 namespace c23 {
 
 Outcome measure_error(PolygonNormal normal) {
-  // An arrow head, counter-clockwise, starting at each of its corners in turn; in one of these
-  // lists the second corner is reflex.
+  // An arrow head, counter-clockwise. Its list of corners starts at each of the four corners in
+  // turn; in one of these lists the second corner is reflex (its inner angle is above 180 degrees).
   const Polygon arrow{{0, 0, 0}, {2, 0, 0.5f}, {0.25f, 0.5f, 0.0625f}, {0, 2, 0}};
   int reversed = 0, all = 0;
   for (const float size : {1.0f, 1e-3f, 1e3f}) {
@@ -28,8 +28,8 @@ Outcome measure_error(PolygonNormal normal) {
   return wrong_count_outcome(reversed, all, "normals reversed");
 }
 
-// The arrow heads, each starting at each of its corners. They must be visible, because a reversed
-// normal would make them back faces, and they must have their own colour.
+// The arrow heads, each with a list that starts at another corner. They must be visible, because a
+// reversed normal would make them back faces, and they must have their own colour.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<NormalTestMesh> meshes = [] {
     const Polygon arrow{{0, 0, 0}, {2, 0, 0.5f}, {0.25f, 0.5f, 0.0625f}, {0, 2, 0}};

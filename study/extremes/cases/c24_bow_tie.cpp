@@ -10,7 +10,7 @@
 namespace glassbox::study {
 namespace c24 {
 
-// Whether the face is thought to have a normal, and so a front.
+// Whether the tested code finds that the face has a normal, and so a front.
 using HasNormal = bool (*)(const Polygon&);
 
 Outcome measure_error(HasNormal has_normal) {
@@ -18,7 +18,7 @@ Outcome measure_error(HasNormal has_normal) {
       {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
       {{5, 7, 1}, {6, 8, 1}, {6, 7, 1}, {5, 8, 1}},
       {{0, 0, 0}, {2, 2, 2}, {2, 0, 0}, {0, 2, 2}},
-      // A figure of eight with six corners, and three corners on a line.
+      // A figure in the shape of an 8 with six corners, and three corners on a line.
       {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}},
       {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}},
   };
@@ -47,7 +47,8 @@ bool by_open_newell(const Polygon& polygon) {
   return is_not_zero(naive::open_newell(polygon));
 }
 
-// Each face alone in a picture: without a normal nothing is drawn, with one it is visible.
+// Each face alone in a picture: without a normal nothing is drawn, with a normal the face is
+// visible.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   const Polygon faces[] = {{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
                            {{5, 7, 1}, {6, 8, 1}, {6, 7, 1}, {5, 8, 1}},

@@ -80,8 +80,8 @@ struct FaceOutline {
 };
 
 // Each face alone, half-transparent, with 16 px per unit: every pixel must be covered as often as
-// its centre is inside the face. On the diagonal, where a triangle ends, centres are exactly on the
-// edge and belong to one side or the other.
+// its centre is inside the face. Pixels with centres on the diagonal of the square are not checked,
+// because they are exactly on an edge of one of the faces.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   const Inside nowhere = [](double, double) { return false; };
   const Inside everywhere = [](double, double) { return true; };

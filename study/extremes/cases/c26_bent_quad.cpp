@@ -31,12 +31,12 @@ Outcome measure_error(auto deviation_by, auto diagonal_by) {
     for (std::size_t first = 0; first < 4; ++first) {
       Polygon turned;
       for (std::size_t i = 0; i < 4; ++i) turned.push_back(square[(first + i) % 4]);
-      // m = (-h, -h, 2). The distance of the corners from the plane through their mean is
-      // +-(h/2)/|m|, which is h/4 to first order.
+      // Newell's vector is m = (-h, -h, 2). The corners' distance from the plane through their mean
+      // is +-(h/2)/|m|, which is h/4 to first order in h.
       const Decimal height{double(h)};
       const Decimal exact =
           height / Decimal(2) / exact::sqrt(Decimal(2) * height * height + Decimal(4));
-      // The bound in double: a dozen rounding errors of numbers up to 1.
+      // The bound in double is gamma_12: a dozen rounding errors of numbers up to 1.
       worst.add(exact::error_of(quads.deviation(turned), exact), gamma<double>(12),
                 fmt::format("corner lifted by {:g}", h));
       const auto [a, b] = quads.diagonal(turned);
@@ -76,9 +76,10 @@ std::array<std::size_t, 2> from_the_first_corner(const Polygon&) {
   return {0, 2};
 }
 
-// Seen from above, with 32 px per side: the stored depths must be those of the square folded along
-// its shorter diagonal, from (1, 0) to (0, 1), wherever the list of corners begins. Depth is 1/2 -
-// z/2, exactly at the corners; the bound is 8 u of it (C-57).
+// A square with one lifted corner, seen from above with 32 px per side: the stored depths must be
+// those of the square folded along its shorter diagonal, from (1, 0) to (0, 1), wherever the list
+// of corners begins. Depth is 1/2 - z/2, exactly at the corners; the bound is 8 u of the depth
+// (C-57; u is the unit roundoff).
 Outcome measure_drawn_error(const TestedEngine& engine) {
   Camera camera;
   camera.lens = OrthographicLens{1, 0, 2};

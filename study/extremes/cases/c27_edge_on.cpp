@@ -16,8 +16,8 @@ Outcome measure_error(FacingTest facing) {
   int wrong = 0, culled = 0;
   constexpr int kFaces = 2000;
   for (int i = 0; i < kFaces; ++i) {
-    // The corners are integers times 2^-10, and the eye is an integer combination of them, so it is
-    // exactly in the plane.
+    // The corners are integers times 2^-10. The eye is a combination of the corners with integer
+    // factors, so it is exactly in their plane.
     std::array<Point<Object>, 3> face;
     for (Point<Object>& p : face) {
       const auto coordinate = [&] { return float(random.integer(-(1 << 20), 1 << 20)) * 0x1p-10f; };
@@ -44,15 +44,17 @@ Outcome measure_error(FacingTest facing) {
 Facing ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
   return test_back_face(face, viewer).facing;
 }
-// Uses the sign of the computed value, without the exact sum that decides unclear cases.
+// Uses the sign of the value computed in floating point, without the exact sum that is computed if
+// this value is near zero.
 Facing without_fallback(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
   const double value = test_back_face(face, viewer).value;
   return value > 0 ? Facing::kBack : value < 0 ? Facing::kFront : Facing::kEdgeOn;
 }
 
 // Triangles in front of a wall, with the eye in their plane. Their corners have coordinates that
-// floats hold exactly, at whole pixels of one line on the screen, so that nothing is rounded and no
-// pixel is covered; with every kind of culling, in both stages.
+// floats hold exactly, and are seen at whole pixels on one line of the screen, so that nothing is
+// rounded and no pixel is covered. Drawn with every kind of culling, at both stages where culling
+// can be done.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     Random random(827);
@@ -67,8 +69,8 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
         const float steps = place(-2, 2), w = float(1 << random.integer(0, 2));
         t[k] = {(x + dx * steps) / 32 * w, (y + dy * steps) / 32 * w, -w};
       }
-      // Their corners are collinear on the screen, but must not be collinear in space: those would
-      // not be triangles.
+      // The corners of a triangle are collinear on the screen, but must not be collinear in space,
+      // because three such points are no triangle.
       const Vector<Eye> a = t[1] - t[0], b = t[2] - t[0];
       const auto [nx, ny, nz] =
           std::array{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

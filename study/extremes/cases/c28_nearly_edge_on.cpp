@@ -14,7 +14,7 @@ using exact::Rational;
 
 struct Answer {
   Facing facing = Facing::kFront;
-  bool exactly = false;  // the exact sum decided
+  bool exactly = false;  // whether the exact sum was needed
 };
 using FacingTest = Answer (*)(std::span<const Point<Object>>, const ObjectViewer&);
 
@@ -37,7 +37,8 @@ Outcome measure_error(FacingTest facing) {
         const double x = random.between(-1, 1), y = random.between(-1, 1);
         p = {float(x), float(y), float(random.between(-1, 1))};
       }
-      // A point 10^4 edge lengths away along an edge, and off the plane by the given sine.
+      // A point at 10^4 times the edge's length along an edge, and off the triangle's plane by
+      // about the given sine.
       const auto along = [&](float a, float b) {
         return double(a) + 1e4 * (double(b) - double(a)) + 1e4 * sine * random.between(-1, 1);
       };
@@ -67,9 +68,9 @@ Answer in_double(std::span<const Point<Object>> face, const ObjectViewer& viewer
   return {naive::facing<double>(face, viewer), false};
 }
 
-// Large triangles of which little is visible: two corners are anywhere, the third is a few pixels
-// off the line through them, and the distances differ. Front faces or back faces are culled, in
-// both stages.
+// Large triangles of which little is visible: two corners are at random places, the third is a few
+// pixels away from the line through them, and their distances differ. Front faces or back faces are
+// culled, at both stages where culling can be done.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     Random random(828);

@@ -13,8 +13,8 @@
 namespace glassbox::study {
 namespace c29 {
 
-// Whether a face is culled before anything is transformed. `margin` is the value below which
-// snapping may reverse its winding.
+// Whether a face is culled before anything is transformed. If the value of the facing test is
+// smaller than `margin`, snapping may reverse the winding of the face.
 using CullTest = bool (*)(std::span<const Point<Object>>, const ObjectViewer&, double margin);
 
 Outcome measure_error(CullTest culls) {
@@ -31,7 +31,8 @@ Outcome measure_error(CullTest culls) {
     const auto viewer = viewer_in_object_space(eye_from_object, true);
     if (!viewer) continue;
 
-    // Sizes go down to slivers of a hundredth of a pixel, whose facing snapping may well change.
+    // Sizes go down to slivers of a hundredth of a pixel, where snapping may exchange front and
+    // back.
     const double size = std::ldexp(1.0, -int(random.integer(0, 12)));
     const Vector<Object, double> centre{random.between(-0.5, 0.5), random.between(-0.5, 0.5), 0};
     std::array<Point<Object>, 3> face;
@@ -51,19 +52,19 @@ Outcome measure_error(CullTest culls) {
       longest =
           std::max({longest, (std::abs(a.x - b.x) + 2) / 256.0, (std::abs(a.y - b.y) + 2) / 256.0});
     }
-    // Snapping moves a vertex by 2^-9 px. Before that, matrix and transform round by 5 u of sizes
-    // below 16; the quotient multiplies the error by at most 2/w < 2, and the viewport by 320:
-    // together less than 2^-8 px.
+    // Snapping moves a vertex by up to 2^-9 px. Before that, matrix and transform have errors of 5
+    // u (u is the unit roundoff, 2^-24) of numbers below 16; the quotient multiplies the error by
+    // at most 2/w < 2, and the viewport by 320: together less than 2^-8 px.
     const double margin =
         snapping_margin(exact, *viewer, viewport, largest_w, longest, 0x1p-9 + 0x1p-8);
     if (!culls(face, *viewer, margin)) continue;
     ++culled;
-    // Counter-clockwise on the screen, which is an area below zero, is a front face: it would have
-    // been drawn.
+    // A face that is counter-clockwise on the screen has a negative area and is a front face: it
+    // would have been drawn.
     lost += double_area(snapped[0], snapped[1], snapped[2]) < 0;
     ++all;
   }
-  // A subject must not pass by culling nothing: about half of the 20000 faces are back faces.
+  // The tested code must not pass by culling nothing: about half of the 20000 faces are back faces.
   if (culled < 5000) return must_be_zero(HUGE_VAL, "hardly anything culled");
   return wrong_count_outcome(lost, all, "culled faces would have been drawn as front faces");
 }
@@ -79,8 +80,8 @@ bool exact_but_no_margin(std::span<const Point<Object>> face, const ObjectViewer
 }
 
 // Slivers that are one or two snapping steps wide, so that snapping may reverse their winding.
-// Those that are certainly back faces are culled before snapping; for the others, the snapped area
-// decides.
+// Slivers that are certainly back faces are culled before snapping; for all others, the area after
+// snapping decides.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<CoverageReference> pictures = [] {
     Random random(829);

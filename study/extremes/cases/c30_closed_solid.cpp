@@ -4,9 +4,9 @@
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/staged.h>
 
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/ray_cast.h"
-#include "study/extremes/common/world.h"
 #include "study/naive/normals.h"
 
 namespace glassbox::study {
@@ -42,8 +42,8 @@ private:
 Outcome measure_error(CullBy::Rule rule) {
   const Scene ball = make_sphere(8);
   int different = 0, covered = 0;
-  // From beside the ball, many lines of sight differ much from the gaze: the picture is 108 degrees
-  // wide.
+  // If the eye is beside the ball, many lines of sight differ much from the gaze, because the
+  // picture is 108 degrees wide.
   const std::pair<WorldPoint, WorldVector> views[] = {{{0, 0, 1.3}, {1, 0, -0.3}},
                                                       {{0, 0, 1.3}, {0, 0, -1}},
                                                       {{1.2, 0.7, 0.9}, {-1, 0.5, -0.2}},
@@ -86,9 +86,9 @@ bool before_edge_on(std::span<const Point<Object>> face, const WorldPoint& eye,
          -0.1 * std::sqrt(dot(m, m)) * length(sight);
 }
 
-// The ball from the same places. With back faces culled exactly one layer is visible, with front
-// faces culled the other one. Culling is done on the screen, or in object space where that is
-// certain.
+// The ball from the same places as in measure_error. With back faces culled, exactly the near layer
+// is visible; with front faces culled, exactly the far layer. Faces are culled on the screen, or in
+// object space where the result is certain.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> balls = [] {
     std::vector<RayCastReference> all;

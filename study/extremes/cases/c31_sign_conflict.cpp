@@ -50,7 +50,8 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
              float(random.integer(-99, 99))};
       }
       auto normal = exact_newell(triangle);
-      if (abs(normal.z) < exact::Rational(4000)) continue;  // smaller than a fifth of the square
+      // Skips triangles that cover less than a fifth of the square.
+      if (abs(normal.z) < exact::Rational(4000)) continue;
       if (normal.z.sign() < 0) std::swap(triangle[0], triangle[1]);
       all.push_back(make_normal_test_mesh(mesh_of(triangle), scale<World, Object>(0.01, 0.01, 0.01),
                                           exact_newell(triangle)));

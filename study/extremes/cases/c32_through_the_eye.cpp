@@ -7,7 +7,7 @@ namespace glassbox::study {
 namespace c32 {
 
 Outcome measure_error(ClipFunction clips) {
-  // z - w is -1/2 everywhere, so z = 0 at w = 1/2 and all crossings need few bits: nothing is
+  // z - w is -1/2 at all corners, so z = 0 at w = 1/2 and all crossings need few bits: nothing is
   // rounded.
   const std::vector<ClipPlane> near{frustum_planes()[0]};
   const Point<Clip> front{0, 0.25f, 0.5f, 1}, front2{0.5f, 0, 0.5f, 1};
@@ -27,8 +27,7 @@ Outline one_triangle(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   if (outline.size() > 3) outline.resize(3);
   return outline;
 }
-// The w values of the two ends are exchanged in the formula: the crossing is measured from the
-// wrong end.
+// Exchanges the two ends of the edge in the formula: the crossing is measured from the wrong end.
 Outline wrong_end(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   const auto crossing = [](const Point<Clip>& a, float d_a, const Point<Clip>& b, float d_b) {
     return naive::from_first_end(b, d_a, a, d_b);
@@ -36,8 +35,8 @@ Outline wrong_end(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = crossing}, t, planes);
 }
 
-// The same triangles, each alone in a picture, and versions of them with corners at other distances
-// behind the eye.
+// The triangles of measure_error, each alone in a picture, and versions of them with corners at
+// other distances behind the eye.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     std::vector<RayCastReference> all;

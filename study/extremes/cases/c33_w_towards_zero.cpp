@@ -27,8 +27,8 @@ Outcome measure_error(ClipFunction clips) {
       for (const Point<Clip>& q : clips(t, planes)) {
         const ScreenVertex screen = to_screen(divide(q), view.viewport);
         ++vertices;
-        // The size of the guard band plus 4 u of 2^16: a crossing, a quotient and two rounding
-        // errors of the viewport.
+        // The size of the guard band plus 4 u of 2^16 (u is the unit roundoff, 2^-24): the rounding
+        // errors of the crossing, of the quotient and two of the viewport.
         const double reach = kGuardBandPx + 0x1p-6;
         const bool sound = std::abs(double(screen.position.x) - 960) <= reach &&
                            std::abs(double(screen.position.y) - 540) <= reach &&
@@ -37,7 +37,8 @@ Outcome measure_error(ClipFunction clips) {
       }
     }
   }
-  return wrong_count_outcome(wrong, vertices, "vertices are no pixels");
+  return wrong_count_outcome(wrong, vertices,
+                             "vertices are outside the guard band, or have too small a w");
 }
 
 Outline without_eye_plane(const ClipTriangle& t, std::span<const ClipPlane> planes) {
@@ -49,8 +50,8 @@ Outline without_guard_band(const ClipTriangle& t, std::span<const ClipPlane> pla
   return pipeline_clips(t, planes.first(2));
 }
 
-// The same corners in eye space, where the distance along the gaze is w; each triangle is in a
-// picture of its own.
+// The same corners as in measure_error, in eye space, where the distance along the gaze is w; each
+// triangle is in a picture of its own.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     std::vector<RayCastReference> all;

@@ -8,10 +8,11 @@ namespace c34 {
 Outcome measure_error(ClipFunction clips) {
   Random random(734);
   const std::vector<ClipPlane> planes = planes_without_far();
-  // Coordinates are below 1.5, and w is at least 1/16 where it matters, so one rounding error moves
-  // a point in NDC by less than 1.5 * 2 * 16 u per coordinate. An edge is cut by at most five
-  // planes. Moving the edges of a polygon inside the NDC square (perimeter at most 8) by 5 * 48 u
-  // sqrt(2) changes twice its area by less than 16 * 340 u.
+  // In NDC, coordinates are below 1.5/w, and w is at least 1/16 where it matters, so one rounding
+  // error moves a point by less than 1.5 * 2 * 16 u = 48 u per coordinate (u is the unit roundoff,
+  // 2^-24). An edge is cut by at most five planes, so the edges of the polygon move by up to 5 * 48
+  // u sqrt(2), less than 340 u. Inside the NDC square the perimeter is at most 8, so twice the area
+  // changes by less than 2 * 8 * 340 u.
   constexpr double kBound = 16 * 340 * 0x1p-24;
   WorstError worst;
   for (int signs = 0; signs < 8; ++signs) {
@@ -35,7 +36,7 @@ Outcome measure_error(ClipFunction clips) {
   return worst.outcome(fmt::format("{} triangles", worst.count()));
 }
 
-// Tests |x| <= |w|, which keeps both halves of the double cone.
+// Tests |x| <= |w| instead of |x| <= w, which keeps the points behind the eye too.
 Outline absolute_w(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   ClipTriangle mirrored = t;
   for (ClipVertex& v : mirrored) {
@@ -43,8 +44,8 @@ Outline absolute_w(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   }
   return pipeline_clips(mirrored, planes);
 }
-// Clips after the divide, with the slopes of the frustum's sides but no test for w > 0: these
-// planes alone also keep the cone behind the eye, whose vertices the divide turns round.
+// Clips after the divide, with the frustum's sides but without the test w > 0. These planes alone
+// also keep points behind the eye, which the divide mirrors.
 Outline sides_after_divide(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   ClipTriangle divided = t;
   for (ClipVertex& v : divided) {

@@ -15,8 +15,8 @@ bool repeats_a_vertex(const Outline& outline) {
 Outcome measure_error(ClipFunction clips) {
   Random random(735);
   const auto planes = frustum_planes();
-  // The same bound as in c34_signs_of_w.cpp, here with w >= 1: coordinates below 2 over 1, five
-  // planes and the far plane.
+  // The same bound as in c34_signs_of_w.cpp. Here w is at least 1 and the coordinates are below 2,
+  // so there is room for the far plane as the sixth plane.
   constexpr double kBound = 16 * 340 * 0x1p-24;
   int wrong = 0, repeated = 0;
   constexpr int kTriangles = 1500;
@@ -41,7 +41,7 @@ Outcome measure_error(ClipFunction clips) {
 Outline on_the_plane_is_outside(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.on_plane_is_inside = false}, t, planes);
 }
-// The right code without its last step, which removes repeated vertices.
+// The right code without its last step, which removes vertices that repeat the one before.
 Outline repetitions_kept(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   std::vector<ClipStep> steps;
   clip_triangle(t, planes, &steps);
@@ -53,7 +53,8 @@ Outline repetitions_kept(const ClipTriangle& t, std::span<const ClipPlane> plane
   return outline;
 }
 
-// Corners exactly on the planes, where z = 0 or w = z exactly, and at the edges of the picture.
+// Triangles with corners exactly on the near or far plane, where z = 0 or w = z exactly, and at the
+// edges of the picture.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     std::vector<RayCastReference> all;

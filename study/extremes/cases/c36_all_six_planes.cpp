@@ -7,8 +7,9 @@ namespace c36 {
 
 Outcome measure_error(ClipFunction clips) {
   const auto planes = frustum_planes();
-  // The plane x + y + z' = 0 (z' = 2z - 1) cuts the box in a regular hexagon, and this triangle
-  // cuts off three corners of it.
+  // The plane x + y + z' = 0 (with z' = 2z - 1) cuts the box of NDC in a regular hexagon. This
+  // triangle lies in it and cuts off three of the hexagon's corners, so the outline has nine
+  // vertices.
   constexpr float r = 1.875f;
   const ClipTriangle nine =
       clip_corners({-r, r, 0.5f, 1}, {0, -r, (r + 1) / 2, 1}, {r, 0, (1 - r) / 2, 1});
@@ -18,10 +19,11 @@ Outcome measure_error(ClipFunction clips) {
       clip_corners({-64, -64, 0.5f, 1}, {192, -64, 0.5f, 1}, {-64, 192, 0.5f, 1});
   WorstError worst;
   for (const auto& [t, bound] :
-       {// crossings are rounded: 6 planes, u per coordinate below 2, over a perimeter below 8
+       {// 6 planes round the crossings, by u per coordinate below 2; the perimeter is below 8
         std::pair{nine, 6 * 2 * 8 * 0x1p-24},
         {nine_turned, 6 * 2 * 8 * 0x1p-24},
-        // The whole screen, from coordinates with few bits: twice its area is 8, exactly.
+        // The whole screen, from coordinates with few bits: twice the area is 8, without rounding
+        // errors.
         {screen, 0.0}}) {
     const Outline outline = clips(t, planes);
     worst.add(area_error(outline, t, planes), bound, fmt::format("{} vertices", outline.size()));
@@ -36,7 +38,7 @@ Outline five_planes(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return pipeline_clips(t, planes.first(5));
 }
 
-// Triangles that are larger than the frustum on all sides.
+// Triangles that extend beyond the frustum on all sides.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     Random random(836);

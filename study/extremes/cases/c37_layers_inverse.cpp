@@ -20,7 +20,7 @@ View view_from(const Point<World, double>& eye) {
   return make_view(camera, kWidth, kHeight).value();
 }
 
-// A position in a picture and its depth, in float, as a layered depth image stores it.
+// A position in a picture and a depth in float, as a layered depth image stores them.
 struct Stored {
   double x, y;  // px
   float depth;
@@ -52,14 +52,15 @@ Outcome measure_error(auto store_by, auto warp_by) {
     const Eigen::Vector4d there = method.warp(to, from, sample);
     const double error = std::max(std::abs(there.x() / there.w() - second.x() / second.w()),
                                   std::abs(there.y() / there.w() - second.y() / second.w()));
-    // An error of 2^-24 of the depth moves x2 = (a + b z)/(c + d z) by 2^-24 |z dx2/dz|, with z
-    // dx2/dz = z (b - x2 d)/(c + d z).
+    // The warp maps a stored depth z to the position x2 = (a + b z)/(c + d z) in the second
+    // picture. A relative error of 2^-24 of z moves x2 by 2^-24 |z dx2/dz|, with z dx2/dz = z (b -
+    // x2 d)/(c + d z).
     const double depth = first.z() / first.w(), w = second.w() / first.w();
     const double moved =
         std::max(std::abs(depth * (warp(0, 2) - second.x() / second.w() * warp(3, 2)) / w),
                  std::abs(depth * (warp(1, 2) - second.y() / second.w() * warp(3, 2)) / w));
-    // The inverse and three products in double: 32 rounding errors of 2^-53, multiplied by the
-    // condition number of C1.
+    // The inverse and three products in double have 32 rounding errors of 2^-53, multiplied by the
+    // condition number of the first camera's matrix.
     const double bound = unit_roundoff<float> * moved + 0x1p-48 * condition * kWidth;
     worst.add(error, bound, fmt::format("distance {:.4g}", z), condition);
   }
@@ -70,7 +71,8 @@ Stored near_over_distance(const Eigen::Vector4d& in_first) {
   return {in_first.x() / in_first.w(), in_first.y() / in_first.w(),
           float(in_first.z() / in_first.w())};
 }
-// The standard depth f/(f - n) (1 - n/d), computed from n/d.
+// Computes the standard depth f/(f - n) (1 - n/d) for the distance d and planes at n and f, from
+// the stored n/d.
 Stored standard_depth(const Eigen::Vector4d& in_first) {
   const Stored ours = near_over_distance(in_first);
   return {ours.x, ours.y, float(kFar / (kFar - kNear) * (1 - in_first.z() / in_first.w()))};

@@ -15,15 +15,15 @@ Outcome measure_error(ClipFunction clips) {
   double apart = 0;
   constexpr int kPairs = 50000;
   for (int i = 0; i < kPairs; ++i) {
-    // One end of the edge is in front of the near plane and the other behind it; the third corners
-    // are inside, on either side of the edge.
+    // The edge from a to b is shared by two triangles. Its end a is in front of the near plane and
+    // b behind it. The third corners c and d are inside, on either side of the edge.
     const auto coordinate = [&] { return float(random.between(-10, 10)); };
     const float ax = coordinate(), ay = coordinate(), bx = coordinate(), by = coordinate();
     const Point<Clip> a{ax, ay, float(random.between(0.1, 10)), float(random.between(1, 10))};
     const Point<Clip> b{bx, by, float(random.between(-10, -0.1)), float(random.between(-1, 10))};
     const Point<Clip> c{1, 2, 3, 4}, d{-1, -2, 3, 4};
-    // The crossing of a-b is the second vertex of the first outline, and must also be a vertex of
-    // the other one.
+    // The crossing of the edge with the plane is the second vertex of the first outline, and must
+    // also be a vertex of the other outline.
     const Outline one = clips(clip_corners(a, b, c), near);
     const Outline other = clips(clip_corners(b, a, d), near);
     ++edges;
@@ -53,8 +53,8 @@ Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
 Outline one_minus_t(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = naive::weighted_by_t}, t, planes);
 }
-// t is computed in double, where it is practically exact, and then rounded to float: 1 - t is then
-// not the t that starts from the other end.
+// Computes t in double, where it is practically exact, and then rounds it to float: 1 - t is then
+// not the t of the same crossing measured from the other end.
 Outline t_in_double(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   const auto crossing = [](const Point<Clip>& a, float d_a, const Point<Clip>& b, float d_b) {
     const double s = double(d_a) / (double(d_a) - double(d_b));
@@ -64,8 +64,8 @@ Outline t_in_double(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({.crossing = crossing}, t, planes);
 }
 
-// Cones of 400 triangles around the line of sight that reach behind the eye. The near plane cuts
-// every shared edge, and the whole picture is inside, so every pixel must be covered once.
+// Cones of 400 triangles around the line of sight that extend behind the eye. The near plane cuts
+// every shared edge, and the whole picture is inside the cone, so every pixel must be covered once.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   Watertightness all;
   for (std::uint64_t seed = 838; seed < 858; ++seed) {

@@ -1,5 +1,5 @@
 #include <glassbox/base/trig.h>
-#include <glassbox/raster/outline.h>
+#include <glassbox/raster/rasterise_polygon.h>
 
 #include "study/extremes/cases/clip_case.h"
 #include "study/extremes/common/coverage.h"
@@ -13,8 +13,9 @@ constexpr int kSide = 64;
 
 constexpr int kFans = 12, kSlivers = 200;
 
-// Counts how often each pixel is covered by a fan of slivers around a point of the picture. Their
-// outer corners are 1e5 to 1e7 px away, so 200 edges cross the guard band.
+// Counts how often each pixel is covered by a fan of 200 slivers around a point of the picture. The
+// outer corners are 1e5 to 1e7 px away, so all edges from the point cross the border of the guard
+// band.
 Image<int> times_covered_by_fan(ClipFunction clips, int fan) {
   Random random(739 + std::uint64_t(fan));
   const float hub_x = float(random.between(-0.9, 0.9)), hub_y = float(random.between(-0.9, 0.9));
@@ -50,8 +51,8 @@ std::string picture(ClipFunction clips) {
   return coverage_png(times_covered_by_fan(clips, 0), 6);
 }
 
-// Clips to the picture itself: the two triangles of an edge cut it differently, and snapping then
-// moves it.
+// Clips to the picture itself instead of the guard band. The two triangles of an edge give it
+// different crossings, and snapping moves these differently.
 Outline at_the_screen(const ClipTriangle& t, std::span<const ClipPlane>) {
   const auto planes = frustum_planes();
   return naive::clip({}, t, std::span(planes).last(4));
@@ -60,7 +61,8 @@ Outline asymmetric(const ClipTriangle& t, std::span<const ClipPlane> planes) {
   return naive::clip({}, t, planes);
 }
 
-// Two such fans in eye space: every pixel must have one layer, that of the sliver at that place.
+// Two fans of slivers in eye space: every pixel must have one layer, that of the sliver at that
+// place.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     std::vector<RayCastReference> all;

@@ -1,6 +1,6 @@
 #include <set>
 
-#include <glassbox/raster/outline.h>
+#include <glassbox/raster/rasterise_polygon.h>
 
 #include "exact/coverage.h"
 #include "study/extremes/cases/clip_case.h"
@@ -21,10 +21,10 @@ bool sampled(int x, int y) {
 }
 
 // Returns 1 inside, -1 outside, and 0 where rounding may decide, which is within 2^-7 px of an
-// edge: half an ulp of 2^15 px for a clipped vertex, which is 2^-9 px; the same again in the
-// quotient and in the viewport; and 2^-9 px from snapping. Computed with 168 bits: with corners
-// 2^100 px away the error of the cross product is 2^(200 - 168), and 2^-7 px corresponds to 2^93 in
-// it.
+// edge: 2^-9 px for a clipped vertex (half an ulp of 2^15 px), 2^-9 px each for the quotient and
+// the viewport, and 2^-9 px for snapping. Computed with 168 bits: with corners 2^100 px away, the
+// error of the cross product is 2^(200 - 168) = 2^32, much less than the 2^93 that correspond to
+// 2^-7 px.
 int exact_side(const std::array<std::array<Decimal, 2>, 3>& corners, int x, int y) {
   const Decimal px = Decimal(x) + Decimal(0.5), py = Decimal(y) + Decimal(0.5);
   int signs[3];
@@ -44,7 +44,8 @@ Outcome measure_error(Covers covers) {
   int wrong = 0, samples = 0;
   double worst_px = 0;
   for (const double px : {32767.99, 32768.0, 32768.01, 1e6, 1e9, 1e30}) {
-    // Converts pixels from the centre to NDC; the way back is exact for a picture of 2^8 pixels.
+    // Converts pixels, counted from the picture's centre, to NDC; converting back is exact for a
+    // picture of 2^8 pixels.
     const auto at = [](double x, double y) {
       return Point<Clip>{float(x / 128), float(y / 128), 0.5f, 1};
     };
@@ -87,8 +88,8 @@ Pixels ours(const ClipTriangle& t, const Viewport& viewport) {
   return covered_by(pipeline_clips(t, guard_band_planes(viewport)), viewport);
 }
 
-// Does without a guard band: positions become 32-bit integers, and edges are computed in 128 bits,
-// so that only the conversion to integers is wrong.
+// Rasterizes without a guard band: positions become 32-bit integers, and edges are computed in 128
+// bits, so that only the conversion to integers is wrong.
 template <class ToInteger>
 Pixels without_guard_band(const ClipTriangle& t, ToInteger to_integer) {
   exact::SnappedTriangle snapped;
@@ -104,7 +105,7 @@ Pixels without_guard_band(const ClipTriangle& t, ToInteger to_integer) {
   }
   return pixels;
 }
-// The result of x86 for a number that does not fit.
+// Converts as x86 processors do: a number that does not fit becomes the smallest integer.
 Pixels as_x86_converts(const ClipTriangle& t, const Viewport&) {
   return without_guard_band(t, [](double v) {
     return std::abs(v) < 0x1p31 ? std::int32_t(v) : std::numeric_limits<std::int32_t>::min();
@@ -127,7 +128,8 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
     Random random(840);
     std::vector<RayCastReference> all;
     for (int i = 0; i < 48; ++i) {
-      // Corners far away to all sides, to the left and right, or up and down.
+      // The corners are far away in all directions, or only to the left and right, or only up and
+      // down.
       EyeTriangle t;
       for (Point<Eye>& p : t) {
         const double far = std::pow(10, random.between(0, 7));

@@ -6,7 +6,7 @@
 namespace glassbox::study {
 namespace c41 {
 
-// Chooses the near plane for vertices that follow the conventions of an API.
+// Chooses the near clip plane for vertices that follow the conventions of a graphics API.
 using NearPlane = ClipPlane (*)(const ApiDialect&);
 
 Outcome measure_error(NearPlane near_plane) {

@@ -1,11 +1,11 @@
 #include <array>
 
 #include "study/extremes/cases/clip_case.h"
+#include "study/extremes/common/camera_types.h"
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/far_panes.h"
 #include "study/extremes/common/ray_cast.h"
 #include "study/extremes/common/screen_scene.h"
-#include "study/extremes/common/world.h"
 
 #include <glassbox/mesh/builtin/cube.h>
 #include <glassbox/mesh/builtin/sphere.h>
@@ -45,8 +45,8 @@ Outcome measure_error(Verdict verdict) {
                              fmt::format("; clipping avoided for {}", spared));
 }
 
-// Rejects a triangle if each corner is outside some plane, not the same one: it loses triangles
-// that reach across a corner of the picture.
+// Rejects a triangle if each corner is outside some plane, even if it is not the same plane for
+// all. This loses triangles that reach across a corner of the picture.
 ClipVerdict all_corners_outside(std::span<const Outcode> codes) {
   bool any = false, all = true;
   for (const Outcode code : codes) {
@@ -62,7 +62,8 @@ ClipVerdict one_corner_inside(std::span<const Outcode> codes) {
   return trivial_verdict(codes);
 }
 
-// The pictures below test what may be skipped for whole draws, or for parts of them.
+// The pictures below test what an engine may skip for whole draws or for parts of them. Adds an
+// instance of a mesh at a place.
 void add_at(Scene& scene, const Transform<World, Object>& place, std::uint32_t mesh = 0) {
   scene.instances.push_back({mesh, std::uint32_t(scene.nodes.size())});
   scene.nodes.push_back({"", kNone, place, place});
@@ -79,7 +80,7 @@ Camera from_before() {
   return camera_at({0, 0, 8}, {0, 0, -1});
 }
 
-// 60 cubes around the eye, few of them in the picture, and two walls.
+// 60 cubes around the eye, few of which are in the picture, and two walls.
 RayScene cubes_and_walls() {
   Random random(842);
   Scene scene = no_cubes();
@@ -92,8 +93,8 @@ RayScene cubes_and_walls() {
   return make_ray_scene(scene, from_before(), 96, 96);
 }
 
-// Two rectangles with a gap of ten pixels between them, and 104 cubes that are behind them, partly
-// visible beside them, or stick through them.
+// Two rectangles with a gap of ten pixels between them, and 104 cubes: some are behind the
+// rectangles, some are partly visible beside them, some stick through them.
 RayScene cubes_behind_panes() {
   Random random(942);
   Scene scene = no_cubes();
@@ -127,16 +128,16 @@ Scene pane() {
   return scene;
 }
 
-// 1280 rectangles around the eye: so many are planned in groups. Most groups extend beyond the
-// picture, and some to behind the eye.
+// 1280 rectangles around the eye, so many that the engine plans them in groups. Most groups extend
+// beyond the picture, and some extend behind the eye.
 RayScene panes_in_groups() {
   Random random(1042);
   Scene scene = pane();
   for (int i = 0; i < 1280; ++i) {
     const auto coordinate = [&] { return random.between(-9, 9); };
     const double x = coordinate(), y = coordinate(), size = random.between(0.05, 0.3);
-    // The range behind the eye is smaller than that in front, so that groups are on both sides of
-    // the eye.
+    // z goes from -13 to 5: fewer rectangles are behind the eye than in front, so that some groups
+    // extend to both sides of the eye.
     const double z = coordinate() - 4, turn = random.between(-60, 60);
     add_at(scene, translate<World>(WorldVector{x, y, z}) *
                       rotate_degrees<World>({0, 1, 0}, turn).value() *
@@ -145,8 +146,8 @@ RayScene panes_in_groups() {
   return make_ray_scene(scene, camera_at({0, 0, 0}, {0, 0, -1}), 32, 32);
 }
 
-// A copy that is flattened into the plane where w is 1, so that it needs no divide. The copy behind
-// it needs one, and shows its texture in perspective.
+// Two copies of a rectangle. One is flattened into the plane where w is 1, so that it needs no
+// divide. The copy behind it needs the divide, and shows its texture in perspective.
 RayScene panes_with_and_without_divide() {
   Scene scene = pane();
   add_at(scene, translate<World>(WorldVector{-0.25, 0, -1}) * scale<World, Object>(0.2, 0.2, 0));
@@ -165,8 +166,8 @@ RayScene near_ball(const WorldPoint& eye) {
   return ray_scene;
 }
 
-// Rectangles at the near plane. Some have their exact place before the plane, and the computed
-// place on it or behind it.
+// Rectangles at the near plane. The exact place of some is in front of the plane, and the computed
+// place on the plane or behind it.
 Outcome measure_near_pane_error(const TestedEngine& engine) {
   PixelChanges all;
   for (int i = 0; i < 200; ++i) {

@@ -8,9 +8,10 @@
 namespace glassbox::study {
 namespace c43 {
 
-// The example of Direct3D: (1,1)-(3,5) with centres at integers is (1.5,1.5)-(3.5,5.5) with centres
-// at halves. Its vertices are pixel centres; columns 1 and 2, rows 1 to 4 are covered, once each.
-// The pair of triangles over (0,0)-(5,5) has 15 and 10 pixels.
+// The example in the rules of Direct3D. A rectangle from (1, 1) to (3, 5), where pixel centres have
+// integer coordinates, is one from (1.5, 1.5) to (3.5, 5.5) where they are at halves. Its corners
+// are pixel centres; columns 1 and 2 of rows 1 to 4 must be covered, once each. The two triangles
+// of the square from (0, 0) to (5, 5) have 15 and 10 pixels.
 std::int64_t fixture_faults(const CoverageFunction& covers) {
   const auto v = [](double x, double y) { return screen_vertex(x, y); };
   const Image<int> rectangle = times_covered(
@@ -54,7 +55,7 @@ Image<int> drawn(const CoverageFunction& covers) {
   return times_covered(covers, {{v(0, 0), v(8, 0), v(8, 8)}, {v(0, 8), v(0, 0), v(8, 8)}}, 8, 8);
 }
 
-// 4,096 such triangles side by side in one picture.
+// 4,096 triangles with corners at pixel centres, side by side in one picture.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const CoverageReference cells(
       [] {

@@ -13,7 +13,7 @@ namespace c44 {
 constexpr double kCentre = 10.5;
 constexpr int kPixel = 10;
 
-// n triangles around the pixel centre. Every second fan is turned, so that edges have many
+// A fan of n triangles around the pixel centre. Every second fan is turned, so that edges have many
 // directions, including those of the axes.
 std::vector<ScreenTriangle> fan(int n) {
   std::vector<ScreenTriangle> triangles;
@@ -41,7 +41,8 @@ Outcome measure_error(const CoverageFunction& covers) {
       worst_fan = n;
     }
   }
-  if (worst == 0) return must_be_zero(0, fmt::format("once in each of {} fans", fans));
+  if (worst == 0)
+    return must_be_zero(0, fmt::format("the centre is covered once in each of {} fans", fans));
   return must_be_zero(
       worst, fmt::format("{} of {} fans wrong, worst with {} triangles", wrong, fans, worst_fan));
 }

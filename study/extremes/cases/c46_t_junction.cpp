@@ -11,8 +11,8 @@ namespace c46 {
 
 constexpr int kSide = 64;
 
-// A triangle A B T above a long edge A-B, and two triangles A M C and M B C below it, with M as
-// close to the edge as floats and snapping allow.
+// A triangle (a, b, top) above a long edge from a to b, and two triangles (a, m, bottom) and (m, b,
+// bottom) below it, where m is as close to the edge as floats and snapping allow.
 struct Junction {
   ScreenVertex a, b, m, top, bottom;
 
@@ -44,8 +44,8 @@ int faults_along(const std::vector<ScreenTriangle>& triangles) {
   return faults;
 }
 
-// Counts the pixels between the snapped M and the edge, which are those of the triangle A M B. They
-// are covered by no triangle or by two.
+// Counts the pixels between the snapped vertex m and the edge from a to b, which are those of the
+// triangle (a, m, b). These pixels are covered by no triangle or by two.
 int predicted(const Junction& j) {
   const SnappedTriangle sliver = exact::snapped(ScreenTriangle{j.a, j.m, j.b});
   int pixels = 0;
@@ -68,8 +68,8 @@ Outcome measure_error(bool insert_the_vertex, bool predict) {
                                   predict ? "; those of the T-junctions are as predicted" : ""));
 }
 
-// Pictures with the vertex inserted, and without it: no rasterizer can repair a T-junction, but its
-// pixels are predictable.
+// Pictures with m inserted into the upper triangle too, and without that: no rasterizer can repair
+// a T-junction, but it can be predicted which pixels are wrong.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<CoverageReference> junctions = [] {
     Random random(146);
@@ -84,8 +84,8 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
   return worst_of(junctions, engine);
 }
 
-// The vertex is inserted on both sides, but one side has a copy of it that is one snapping step
-// lower.
+// The vertex m is inserted on both sides of the edge, but one side has a copy of it that is one
+// snapping step lower.
 Outcome measure_copies_error() {
   Random random(46);
   int faults = 0;

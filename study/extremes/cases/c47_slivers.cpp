@@ -20,7 +20,8 @@ ScreenTriangle sliver(int k, Random& random) {
           screen_vertex(x, y + std::ldexp(1.0, -k), 0.5f)};
 }
 
-// Looks only at pixels whose centres can be inside: in each column, those beside the long edge.
+// Tests only pixels whose centres can be inside the slivers: in each column, those beside the long
+// edge.
 Outcome measure_error(const CoverageFunction& covers) {
   Random random(47);
   CoverageFaults faults;
@@ -41,7 +42,7 @@ Outcome measure_error(const CoverageFunction& covers) {
   return outcome;
 }
 
-// In the pipeline, the weights of the fragments must also be finite and between 0 and 1.
+// For the pipeline, also tests that the weights of the fragments are finite and between 0 and 1.
 Outcome measure_our_error() {
   Outcome outcome = measure_error(pipeline_covers);
   Random random(47);
@@ -58,7 +59,7 @@ Outcome measure_our_error() {
   return outcome;
 }
 
-// Slivers a quarter as long, 1/256 to 4/256 px wide.
+// Slivers a quarter as long as in measure_error, and 1/256 to 4/256 px wide.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const CoverageReference slivers(
       [] {

@@ -26,8 +26,8 @@ Outcome measure_error(const CoverageFunction& covers) {
   return faults.outcome();
 }
 
-// Visits the pixels whose float coordinates truncate to integers inside the triangle's box: both
-// -0.3 and 0.3 become column 0.
+// Shifts each covered pixel as truncation to an integer does if a triangle extends to the left of
+// column 0 or above row 0: both -0.3 and 0.3 become column 0.
 void truncating_covers(const ScreenTriangle& t, const PixelRect& window,
                        const PixelVisitor& visit) {
   naive::covers_with({}, t, window, [&](int x, int y) {

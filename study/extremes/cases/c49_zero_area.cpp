@@ -12,8 +12,8 @@ namespace c49 {
 
 constexpr int kSide = 64;
 
-// Four triangles around an inner quad that is 1/1024 px thin: after snapping, the quad's own two
-// triangles are only a line.
+// Triangles around an inner quad that is 1/1024 px thin: after snapping, the two triangles of the
+// quad have no area.
 std::vector<ScreenTriangle> mesh(Random& random) {
   const double y = random.between(20, 44), dy = random.between(-3, 3);
   const auto v = [](double x, double at) { return screen_vertex(x, at); };
@@ -36,8 +36,8 @@ void pipeline_draws(const ScreenTriangle& t, const std::function<void(int, int, 
   });
 }
 
-// Drops no triangle: the weights are edge functions divided by the area, which is 0/0 if snapping
-// has left only a line.
+// Drops no triangle. The weights are edge functions divided by the area, which is 0/0 if a triangle
+// has become a line by snapping.
 void draws_without_dropping(const ScreenTriangle& t,
                             const std::function<void(int, int, float)>& visit) {
   const SnappedTriangle v = exact::snapped(t);
@@ -58,7 +58,7 @@ void draws_without_dropping(const ScreenTriangle& t,
   }
 }
 
-// Drops triangles that seem too small to cover any pixel.
+// Drops triangles of less than 256 square pixels as too small, although they may cover pixels.
 void drops_small_ones(const ScreenTriangle& t, const std::function<void(int, int, float)>& visit) {
   const SnappedTriangle v = exact::snapped(t);
   const std::int64_t area = std::int64_t(v[1].x - v[0].x) * (v[2].y - v[0].y) -

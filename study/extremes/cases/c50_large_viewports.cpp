@@ -8,8 +8,8 @@
 namespace glassbox::study {
 namespace c50 {
 
-// Large triangles with random snapped vertices, tested only beside points on their edges: pictures
-// of this size are sampled, not allocated.
+// Large triangles with random snapped vertices, tested only beside points on their edges: whole
+// pictures of this size would need too much memory.
 Outcome measure_error(const CoverageFunction& covers) {
   Random random(50);
   CoverageFaults faults;
@@ -32,7 +32,7 @@ Outcome measure_error(const CoverageFunction& covers) {
   return faults.outcome();
 }
 
-// In a picture 4,096 px wide, edge functions need 40 bits.
+// A picture 4,096 px wide, where edge functions need 40 bits.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const CoverageReference large(
       [] {
@@ -42,7 +42,8 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
           const double x = double(random.integer(-4096 * 256, 8192 * 256)) / 256;
           return screen_vertex(x, double(random.integer(-4096 * 256, 8192 * 256)) / 256);
         };
-        // As narrow as a small triangle, but too high for 32 bits.
+        // These triangles are as narrow as small triangles, but so tall that their edge functions
+        // do not fit in 32 bits.
         for (int i = 0; i < 6; ++i) {
           const double x = 600 * i, width = double(random.integer(40, 63));
           all.push_back({screen_vertex(x, -20), screen_vertex(x + width, 4000 + x / 8),

@@ -10,8 +10,8 @@
 namespace glassbox::study {
 namespace c52 {
 
-// Tests every k/512 px near 0 and the neighbouring floats; then the same at 2^10 and 2^15 px, where
-// floats are coarse.
+// Tests every multiple of 1/512 px near 0 and the neighbouring floats; then the same at 2^10 and
+// 2^15 px, where floats are coarser.
 Outcome measure_error(std::int32_t (*snap)(float)) {
   ErrorsAboveBound errors(0);
   const auto ask = [&](float pixels) {

@@ -11,8 +11,8 @@ namespace c54 {
 
 constexpr int kWidth = 32767;
 
-// Computes u = x / kWidth along the middle row of a triangle that spans the whole width, and calls
-// visit(x, u).
+// Computes u = x / kWidth along the middle row of a triangle that is as wide as the picture, and
+// calls visit(x, u).
 using Span = std::function<void(const std::function<void(int, float)>&)>;
 
 const ScreenTriangle kTriangle{screen_vertex(0, -1), screen_vertex(kWidth, 0.5),
@@ -28,15 +28,16 @@ void pipeline_span(const std::function<void(int, float)>& visit) {
   });
 }
 
-// Adds the increment once per pixel: every rounding error stays in the sum, and all errors have the
-// same sign.
+// Adds the increment of u once per pixel: every rounding error stays in the sum, and all errors
+// have the same sign.
 void stepped_span(const std::function<void(int, float)>& visit) {
   const float step = 1.0f / float(kWidth);
   float u = 0.5f * step;
   for (int x = 0; x < kWidth; ++x, u += step) visit(x, u);
 }
 
-// Adds the increment once per pixel, but starts again from the exact value every `anchor` pixels.
+// Adds the increment of u once per pixel, but starts again from the exact value every `anchor`
+// pixels.
 void anchored_span(int anchor, const std::function<void(int, float)>& visit) {
   const float step = 1.0f / float(kWidth);
   for (int x = 0; x < kWidth; ++x) {
@@ -51,7 +52,7 @@ Outcome measure_error(const Span& span) {
   double worst = 0;
   int worst_x = 0, pixels = 0;
   span([&](int x, float u) {
-    // A quotient of integers, right to 2^-53.
+    // The exact u is a quotient of integers, right to 2^-53.
     const double exact = (x + 0.5) / kWidth;
     const double error = std::abs(double(u) - exact) / exact;
     ++pixels;

@@ -22,10 +22,10 @@ void pipeline_line(const SnappedVertex& a, const SnappedVertex& b, const PixelVi
 using DrawsLine =
     std::function<void(const SnappedVertex&, const SnappedVertex&, const PixelVisitor& visit)>;
 
-// Draws a line whose points at whole steps are on the lattice, as one line and as two lines that
-// meet on it: the pixels must be the same, and none may be drawn twice. There are horizontal,
-// vertical and diagonal lines; the joints are at pixel centres, on borders of diamonds, and
-// between.
+// Draws a line as a whole, and then as two lines that meet in one of its points: the pixels must be
+// the same, and none may be drawn twice. All these points are on a lattice, so that nothing is
+// rounded. There are horizontal, vertical and diagonal lines; the joints are at pixel centres, on
+// borders of diamonds, and elsewhere.
 std::int64_t joint_faults(const DrawsLine& draws) {
   Random random(55);
   std::int64_t faults = 0;
@@ -55,9 +55,9 @@ std::int64_t joint_faults(const DrawsLine& draws) {
   return faults;
 }
 
-// The example of the Direct3D and OpenGL rules: a line from (1.5, 1.5) to (5.5, 1.5) has columns 1
-// to 4, because it leaves their diamonds and ends inside that of column 5. The same holds downwards
-// and diagonally.
+// The example of the Direct3D and OpenGL rules: a line from (1.5, 1.5) to (5.5, 1.5) covers columns
+// 1 to 4, because it leaves their diamonds, but not column 5, because it ends inside that diamond.
+// The same holds downwards and diagonally.
 std::int64_t fixture_faults(const DrawsLine& draws) {
   std::int64_t faults = 0;
   for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {-1, 0}, {0, -1}, {-1, -1}}) {
@@ -77,8 +77,8 @@ Outcome measure_error(const DrawsLine& draws) {
                                   joints, fixtures));
 }
 
-// Points at quarters of pixels: each covers the one pixel whose centre c has p - 1/2 <= c < p +
-// 1/2.
+// Also tests points at quarters of pixels: a point at p covers the one pixel whose centre c has p -
+// 1/2 <= c < p + 1/2.
 Outcome measure_our_error() {
   Outcome outcome = measure_error(pipeline_line);
   for (std::int32_t x = -1024; x <= 1024; x += 64) {
@@ -93,8 +93,8 @@ constexpr int kSide = 2048, kCell = 24;
 
 using ScreenLine = std::array<SnappedVertex, 2>;
 
-// A scene whose picture has these lines and points at the given places, in 1/256 px. The number of
-// layers in each pixel is counted.
+// A scene whose picture has these lines and points at the given places, in units of 1/256 px. Its
+// material shows the number of layers in each pixel.
 ScreenScene screen_lines(const std::vector<ScreenLine>& lines,
                          const std::vector<SnappedVertex>& points) {
   ScreenScene made = screen_scene({}, kSide, layer_material());

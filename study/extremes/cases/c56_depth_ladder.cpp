@@ -9,8 +9,9 @@
 namespace glassbox::study {
 namespace c56 {
 
-// depth = B/z + A with B = n f/(f - n). Float rounds the product A z, the sum and the quotient,
-// which confuses depths at relative separations up to 2 u z/f + 4 u (1 - z/f).
+// The depth at distance z is B/z + A, with B = n f/(f - n) for planes at n and f. In float, the
+// product A z, the sum and the quotient are rounded. This can put two depths in the wrong order if
+// their relative separation is up to 2 u z/f + 4 u (1 - z/f), at most 4 u (u is the unit roundoff).
 constexpr double kBound = 4 * double(unit_roundoff<float>);
 
 Outcome measure_error(const DepthPath& path) {

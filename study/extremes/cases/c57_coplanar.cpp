@@ -10,7 +10,7 @@ namespace c57 {
 
 constexpr int kSide = 4096;
 
-// The plane has depths that float holds exactly at integer pixel coordinates.
+// The depth of a plane, chosen so that floats hold it exactly at integer pixel coordinates.
 double plane_at(double x, double y) {
   return 0.25 + x * 0x1p-14 + y * 0x1p-15;
 }
@@ -43,9 +43,10 @@ Outcome measure_error(const DepthAt& depth) {
 }
 
 // 64 triangles whose farthest edge goes through pixel centres, and a wall that is as far away as
-// that edge or a rounding error or two farther, so that rounding may put the edge behind the wall.
-// The reference applies the depth formulas pixel by pixel, without boxes, blocks, tiles or an order
-// of draws. Both answers are within the bound, but all engines must give the same one.
+// that edge, or farther by one to three rounding errors, so that rounding may put the edge behind
+// the wall. Either answer is within the error bound, but all engines must give the same one. The
+// reference applies the depth formulas pixel by pixel, without boxes, blocks, tiles or an order of
+// draws.
 Outcome measure_tie_error(const TestedEngine& engine) {
   Random random(257);
   std::int64_t wrong = 0, all = 0;
@@ -72,8 +73,9 @@ Outcome measure_tie_error(const TestedEngine& engine) {
                       fmt::format("{} of {} pixels decide a tie differently", wrong, all));
 }
 
-// Two rectangles with the same computed depth; by exact numbers, the second one is nearer. The
-// first one must stay, as it does if nothing is known about their bounding boxes.
+// Two rectangles whose computed depths are the same, although the exact depth of the second one is
+// nearer. The first one must stay visible, as it does in an engine that does not test bounding
+// boxes.
 Outcome measure_pane_order_error(const TestedEngine& engine) {
   PixelChanges all;
   for (int i = 0; i + 1 < 200; ++i) {
@@ -93,8 +95,8 @@ Outcome measure_pane_order_error(const TestedEngine& engine) {
                              "pixels of panes show the pane that was drawn second");
 }
 
-// Triangles of the plane in a picture of 256 x 256 pixels; the depths that the engine stores are
-// checked.
+// Triangles of one plane in a picture of 256 x 256 pixels; compares the depths that the engine
+// stores with those of the plane.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   Random random(157);
   std::vector<ScreenTriangle> triangles;

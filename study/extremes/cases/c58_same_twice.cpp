@@ -9,8 +9,8 @@ namespace c58 {
 
 constexpr int kSide = 256;
 
-// Scales to an eighth and moves to some place in the picture, so that the tile engine treats it as
-// a small triangle.
+// Scales a vertex to an eighth and moves it to some place in the picture, so that the tile engine
+// treats the triangle as a small one.
 ScreenVertex shrunk(const ScreenVertex& v, int i) {
   const float x = float(i * 37 % 200), y = float(i * 59 % 200);
   return screen_vertex(double(v.position.x / 8 + x), double(v.position.y / 8 + y), v.position.z);
@@ -35,7 +35,8 @@ std::vector<ScreenTriangle> pairs() {
   return all;
 }
 
-// Copies have even numbers.
+// Counts the pixels that show a copy instead of the triangle drawn before it. Copies have even
+// numbers.
 Outcome measure_error(const Image<int>& seen) {
   const auto copies =
       std::ranges::count_if(seen.pixels, [](int id) { return id > 0 && id % 2 == 0; });

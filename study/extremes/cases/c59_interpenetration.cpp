@@ -8,14 +8,14 @@ namespace glassbox::study {
 namespace c59 {
 
 constexpr int kSide = 256;
-constexpr double kDepthOfView = 1024;  // in px, so that slopes are those of a cube
+constexpr double kDepthOfView = 1024;  // the depth range 0 .. 1, in px
 
 double crossing_at(double y) {
   return 100 + 0.25 * y;
 }
 
-// Two rectangles over the whole picture whose depths cross at this slope, at x = crossing_at(y).
-// The depths are around 0.6, which is not special in any depth format.
+// Two rectangles over the whole picture. Their depths change by +-slope per pixel and are equal at
+// x = crossing_at(y). The depths are around 0.6, which is not a special value in any depth format.
 std::vector<ScreenTriangle> crossing(double slope) {
   std::vector<ScreenTriangle> all;
   for (const double sign : {1.0, -1.0}) {
@@ -35,8 +35,10 @@ Outcome measure_error(const Draws& draws) {
   for (const double degrees : {90.0, 1.0, 0.01}) {
     const double slope = tan_half_degrees(degrees) / kDepthOfView;
     const Image<int> seen = draws(crossing(slope));
-    // 8 u for each depth and u for each vertex's own; then half a pixel, because each pixel has a
-    // single answer.
+    // Each of the two depths has an error of up to 8 u from interpolation and u from its vertices
+    // (u is the unit roundoff) of numbers up to 0.75. Divided by the difference of the slopes, 2 *
+    // slope, this is a distance in px. Half a pixel is added because each pixel has a single
+    // answer.
     const double bound = 2 * 9 * double(unit_roundoff<float>) * 0.75 / (2 * slope) + 0.5;
     double farthest = 0;
     for (int y = 0; y < seen.height; ++y) {
@@ -51,8 +53,7 @@ Outcome measure_error(const Draws& draws) {
   return worst.outcome();
 }
 
-// Draws all of one rectangle, then all of the other: the one with the smaller mean depth hides the
-// other.
+// Draws first one rectangle, then the other over it: one rectangle hides the other everywhere.
 Image<int> painted(const std::vector<ScreenTriangle>& triangles) {
   return z_buffered(triangles, kSide,
                     {.passes = [](std::uint32_t, std::uint32_t) { return true; }});

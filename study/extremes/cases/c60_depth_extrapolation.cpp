@@ -7,8 +7,8 @@
 namespace glassbox::study {
 namespace c60 {
 
-// A triangle of a few 1/256 px width and 2000 px length, from the near plane to the far plane: it
-// is seen at an angle of 89.999 degrees or more.
+// A triangle that is a few 1/256 px wide and 2000 px long, from the near plane to the far plane:
+// its normal is at an angle of 89.999 degrees or more to the line of sight.
 ScreenTriangle sliver(Random& random) {
   const auto lattice = [&](double low, double high) {
     return std::floor(random.between(low, high) * 256) / 256;
@@ -34,8 +34,8 @@ Outcome measure_error(const DepthAt& depth) {
   return errors.outcome("pixels beyond 8 u");
 }
 
-// Such slivers, a quarter as long, on separate rows; only a few are drawn together, so that none
-// hides another.
+// Slivers of this kind, a quarter as long, in separate rows; only a few are drawn together, so that
+// none hides another.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   Random random(160);
   std::vector<ScreenTriangle> triangles;

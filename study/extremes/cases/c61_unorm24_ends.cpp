@@ -10,8 +10,8 @@
 namespace glassbox::study {
 namespace c61 {
 
-// z = m 2^e exactly, so floor(z (2^24 - 1) + 1/2) = (2 m (2^24 - 1) + 2^-e) >> (1 - e), in
-// integers.
+// The right code of a depth z, in integers. With z = m 2^e exactly, floor(z (2^24 - 1) + 1/2) is (2
+// m (2^24 - 1) + 2^-e) >> (1 - e).
 std::int64_t exact_code(float z) {
   int exponent = 0;
   const std::int64_t m = std::int64_t(std::ldexp(std::frexp(z, &exponent), 24));
@@ -29,7 +29,7 @@ Outcome measure_error(std::uint32_t (*code)(float)) {
   for (const float z : {0.0f, 1.0f, 1.0f - 0x1p-24f, 0x1p-24f, 0x1p-25f, 0.5f, 0x1p-149f}) ask(z);
   Random random(61);
   for (int i = 0; i < 100000; ++i) ask(float(random.unit()));
-  // The halves between codes, and their neighbours in float.
+  // Tests the depths halfway between two codes, and the floats next to them.
   for (int k = 1; k < 16777215; k += 16381) {
     const float tie = float((k + 0.5) / 16777215);
     for (const float z : {std::nextafter(tie, 0.0f), tie, std::nextafter(tie, 1.0f)}) ask(z);
@@ -41,8 +41,8 @@ std::uint32_t pipeline_code(float z) {
   return depth_code(DepthFormat::kUnorm24, z);
 }
 
-// Flat triangles, whose depth is that of their corners: checks the stored codes in both integer
-// formats.
+// Triangles parallel to the screen, whose depth is everywhere that of their corners: checks the
+// stored codes in both integer formats.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   int wrong = 0, all = 0;
   for (const auto& [format, steps] :

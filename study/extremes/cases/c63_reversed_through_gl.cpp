@@ -17,8 +17,8 @@ Outcome measure_error(DepthPath::Detour detour) {
           fmt::format("depths that are {:.2g} apart are confused at the distance 1,000", confused)};
 }
 
-// Two rectangles at right angles to the gaze, 8 u apart at the distance 1,000, in both orders: the
-// nearer one must be visible.
+// Two rectangles at right angles to the gaze at the distance 1,000, separated by 8 u of that
+// distance (u is the unit roundoff), in both orders of drawing: the nearer one must be visible.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const std::vector<RayCastReference> pictures = [] {
     std::vector<RayCastReference> all;

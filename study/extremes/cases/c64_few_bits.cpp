@@ -5,7 +5,8 @@
 namespace glassbox::study {
 namespace c64 {
 
-// Predicts the relative separation that a format can tell apart at a distance.
+// Predicts the smallest relative separation of two depths that a format can tell apart at a
+// distance.
 using Expected = double (*)(const DepthPath&, double distance, double step);
 
 Outcome measure_error(Expected expected) {
@@ -28,7 +29,7 @@ Outcome measure_error(Expected expected) {
 double by_formula(const DepthPath& path, double distance, double step) {
   return standard_separation(distance, path.near, path.far, step);
 }
-// Assumes that the steps are spread evenly between the planes.
+// Assumes that the steps of depth are spread evenly over the distance between the planes.
 double evenly(const DepthPath& path, double distance, double step) {
   return (path.far - path.near) * step / distance;
 }
@@ -36,9 +37,9 @@ double without_near_plane(const DepthPath&, double distance, double step) {
   return distance * step;
 }
 
-// Rectangles at right angles to the gaze: compares the stored codes with depth computed by the
-// formula. In float, depth is (alpha z + beta)/z with rounded numbers: 3 u |alpha|, 2 u |beta|/z
-// and 2 u of the quotient; then half a step.
+// Rectangles at right angles to the gaze: compares the stored codes with the depth by the formula.
+// In float, depth is (alpha z + beta)/z with rounded alpha and beta: its errors are 3 u |alpha|, 2
+// u |beta|/z and 2 u of the quotient (u is the unit roundoff). Rounding to a code adds half a step.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   const double near = 0.1, far = 1e4;
   WorstError worst;

@@ -8,8 +8,8 @@ namespace c65 {
 
 constexpr int kSide = 512;
 
-// A floor 1.5 below the eye, from 4 to 4,000 away: its far end is seen at an angle of 0.02 degrees.
-// u runs along the gaze.
+// A floor 1.5 units below the eye, from 4 to 4,000 units away: its far end is seen at an angle of
+// 0.02 degrees. The attribute grows along the gaze from 0 to 1.
 AttributeTriangle floor_triangle() {
   Camera camera;
   camera.lens = PerspectiveLens{1.0, 0.5, 8192};
@@ -49,7 +49,8 @@ RayScene tiled_floor() {
       const auto uv = [&](int i, int j) {
         return std::array{float(column + i) / 2, float(row + j) / 2};
       };
-      // The triangle starts at one or the other of the two corners that have the same w.
+      // The triangles of odd and even columns start at different corners, so that either of the two
+      // corners with the same w may be the first.
       if (column % 2 == 0) {
         triangles.push_back({at(0, 0), at(1, 0), at(1, 1)});
         texcoords.push_back({uv(0, 0), uv(1, 0), uv(1, 1)});

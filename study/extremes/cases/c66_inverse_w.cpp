@@ -8,7 +8,8 @@ namespace c66 {
 
 constexpr int kSide = 256;
 
-// The corners are 1e-3, 1 and 1e6 away; there are 1024 texels from the first corner to the others.
+// The corners are 1e-3, 1 and 1e6 units away; there are 1024 texels from the first corner to the
+// other two.
 Outcome measure_error(const AttributeAt& at) {
   const AttributeTriangle judged{
       {screen_vertex(-200, -180, 0.5f, 1e3f), screen_vertex(700, 20, 0.5f, 1),

@@ -10,8 +10,8 @@ namespace c67 {
 
 constexpr int kSize = 1024;
 
-// The distance in texels between the place of the coordinate (exact in double: floats below 2^24)
-// and the sampled texel.
+// Measures the distance in texels between the exact place of a texture coordinate and the sampled
+// texel. The place is exact in double, because the coordinates are floats below 2^24.
 Outcome measure_error(const TexelAt& texel_at) {
   WorstError worst;
   Random random(67);
@@ -21,7 +21,8 @@ Outcome measure_error(const TexelAt& texel_at) {
       const double place = (double(t) - std::floor(double(t))) * kSize;
       const int texel = texel_at(Wrap::kRepeat, t, kSize);
       const double beside = std::max({texel - place, place - (texel + 1), 0.0});
-      // A negative coordinate near 0 may be rounded when 1 is added, by 2^-25 of the texture.
+      // If a coordinate is slightly below 0, its fraction, near 1, is rounded by up to 2^-25 of the
+      // texture.
       worst.add(std::min(beside, kSize - beside), kSize * 0x1p-25,
                 fmt::format("texel {} instead of {:.2f} at u = {}", texel, place, t),
                 std::abs(double(t)));
@@ -30,8 +31,8 @@ Outcome measure_error(const TexelAt& texel_at) {
   return worst.outcome();
 }
 
-// A wall whose coordinates span 4 textures and start 4,096 textures from the origin, where floats
-// still have eleven bits for the place within a texture.
+// A wall whose texture coordinates span 4 repetitions of the texture and start at 4,096, where
+// floats still have eleven bits for the place within a texture.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const RayCastReference wall(
       textured_ray_scene({{Point<Eye>{-1, -1, -2}, {1, -1, -2}, {0, 1, -2}}},

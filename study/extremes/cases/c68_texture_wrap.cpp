@@ -12,7 +12,8 @@ int modulo(int n, int m) {
   return ((n % m) + m) % m;
 }
 
-// k is in units of 1/64 of the texture, that is, an eighth of a texel; everything is in integers.
+// The right texel for the coordinate k/64. The texture has 8 texels, so k is in eighths of a texel;
+// everything is computed in integers.
 int exact_texel(Wrap wrap, int k) {
   const int texel = (k - modulo(k, 8)) / 8;
   switch (wrap) {

@@ -13,8 +13,8 @@ constexpr int kTexels = 1024;
 
 using Texcoords = std::array<std::array<float, 2>, 3>;
 
-// Narrow triangles whose texture recedes from the viewer; u and v are in the order of the setup's
-// vertices.
+// A narrow triangle that extends away from the viewer, with a texture; its texture coordinates are
+// in the order of the setup's vertices.
 struct Sheet {
   TriangleSetup setup;
   Texcoords texcoords;
@@ -39,8 +39,9 @@ std::vector<Sheet> sheets() {
   return all;
 }
 
-// The derivative of u = N/D per pixel along one axis, with N = sum E_k q_k (a_k - a_0) and D = sum
-// E_k q_k; `terms` is the sum of the sizes of its terms, divided by D.
+// The derivative of a texture coordinate u = N/D per pixel along one axis, with N = sum E_k q_k
+// (a_k - a_0) and D = sum E_k q_k: E_k are the edge functions, q_k = 1/w and a_k the coordinate at
+// the vertices. `terms` is the sum of the absolute values of the derivative's terms, divided by D.
 struct Derivative {
   double value = 0, terms = 0;
 };
@@ -94,8 +95,8 @@ std::optional<float> pipeline_level(const Sheet& sheet, const Coverage& pixel) {
   return level_of_detail(gradient, kTexels, kTexels);
 }
 
-// Uses differences between neighbouring pixels, even if they show another triangle; a pixel without
-// a neighbour takes 0 for it.
+// Uses differences between neighbouring pixels of a 2 x 2 block, even if they show another
+// triangle; where nothing is drawn, the coordinates are 0.
 std::optional<float> level_by_neighbours(const Image<std::array<float, 2>>& texcoords, int x,
                                          int y) {
   const auto& here = texcoords.at(x, y);
@@ -123,9 +124,10 @@ Outcome measure_error(const LevelAt& level_at) {
   for (const Sheet& sheet : sheets()) {
     for_each_covered(sheet.setup, {0, 0, kSide, kSide}, [&](const Coverage& pixel) {
       const ExactLevel exact = exact_level(sheet, pixel);
-      // Slopes 6 u, the coordinate 14 u, their product and difference 3 u, w 8 u, the length 3 u:
-      // 34 u of the terms. A relative change is multiplied by 1/ln 2 in levels. The logarithm
-      // itself may have an error of 5e-8 and two rounding errors.
+      // With the unit roundoff u, the relative errors are 6 u for the slopes, 14 u for the
+      // coordinate, 3 u for their product and difference, 8 u for w and 3 u for the length: 34 u of
+      // `terms`. In levels, a relative change is multiplied by 1/ln 2. The logarithm itself may
+      // have an error of 5e-8 and two rounding errors.
       const double u = double(unit_roundoff<float>);
       const double bound = 34 * u * exact.condition / 0.693 + 5e-8 + 4 * u * std::abs(exact.level);
       const auto level = level_at(sheet, pixel);
@@ -144,7 +146,7 @@ Outcome measure_naive_error() {
   });
 }
 
-// Plane equations that ignore the change of 1/w.
+// Uses plane equations on the screen, but ignores that 1/w changes from pixel to pixel.
 std::optional<float> level_without_perspective(const Sheet& sheet, const Coverage& pixel) {
   const Fragment fragment = interpolate(sheet.setup, pixel);
   const auto& t = sheet.texcoords;
@@ -155,7 +157,7 @@ std::optional<float> level_without_perspective(const Sheet& sheet, const Coverag
       kTexels, kTexels);
 }
 
-// The level of detail shows in the stripes of a texture that remain visible.
+// Tests the level of detail by the stripes of a texture that are still visible at that level.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const RayCastReference strips([] {
     std::vector<EyeTriangle> triangles;

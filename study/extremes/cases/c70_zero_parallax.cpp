@@ -12,7 +12,7 @@ namespace c70 {
 constexpr StereoPair kPair{0.03, 10};
 constexpr double kBound = 1.0 / 256;
 
-// Returns a point's x in one eye's picture, in px.
+// Returns the x of a point in one eye's picture, in px.
 using XOf = std::function<double(Side, const Point<Eye>&)>;
 
 // Tests a grid of points at the distance of the stereo window, over the whole picture.
@@ -42,7 +42,8 @@ XOf through(const View& left, const View& right) {
   };
 }
 
-// Uses parallel cameras and shifts the pictures by whole pixels until the window coincides.
+// Uses parallel cameras and moves the pictures by whole pixels until the parallax at the window is
+// zero.
 Outcome measure_parallax_error() {
   const StereoPair parallel{kPair.half_separation};
   const View left = eye_view(centre(), parallel, Side::kLeft);
@@ -53,7 +54,8 @@ Outcome measure_parallax_error() {
   });
 }
 
-// Uses x' = x + s (1 + z/f), the sign for an eye that looks along +z.
+// Uses x' = x + s (1 + z/f), where z is the point's depth and f the window's distance: this sign is
+// right only for an eye that looks along +z.
 View with_sign_turned(Side side) {
   View view = eye_view(centre(), {kPair.half_separation}, side);
   const Transform<Eye, Eye> skew = stereo_skew(eye_shift(kPair, side), -kPair.window);
@@ -61,8 +63,8 @@ View with_sign_turned(Side side) {
   return view;
 }
 
-// A mosaic in the plane of the window, of triangles with corners at any place: each eye must see
-// the same picture as the camera between them.
+// A mosaic in the plane of the window, made of triangles with corners at random places: each eye
+// must see the same picture as the camera between the eyes.
 RayScene mosaic() {
   Random random(70);
   constexpr int kCells = 8;

@@ -11,8 +11,9 @@
 namespace glassbox::study {
 namespace c73 {
 
-// A wall at the window, 10 away, and small triangles at 0.5, side by side. They are tilted, so that
-// the light gives them different shades; each eye sees some that the other does not.
+// A wall at the window, 10 units away, and small triangles 0.5 units away, side by side. They are
+// tilted, so that the light gives them different shades; each eye sees some that the other eye does
+// not see.
 StereoScene close_things() {
   Mesh mesh;
   add_triangle(
@@ -27,7 +28,7 @@ StereoScene close_things() {
   return {scene_of(std::move(mesh), material), view_from_origin(320, 180, 0.1), {0.3, 10}};
 }
 
-// Decides whether a triangle is kept, from its corners in both eyes' clip spaces.
+// Decides whether a triangle is kept, from its corners in the clip spaces of both eyes.
 using KeepTest = std::function<bool(const std::array<Point<Clip>, 3>& left,
                                     const std::array<Point<Clip>, 3>& right, const View& centre)>;
 

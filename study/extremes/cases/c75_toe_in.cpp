@@ -16,8 +16,8 @@ View centre() {
 
 using EyeView = View (*)(const View&, const StereoPair&, Side);
 
-// Tests points all over the picture at three distances. `predicted` is the vertical parallax by the
-// formula for converging cameras (S0-07), upwards.
+// Tests points all over the picture at three distances. If `formula` is true, also compares the
+// vertical parallax, counted upwards, with the formula for converging cameras (S0-07).
 Outcome measure_error(EyeView eye, bool formula) {
   const View left = eye(centre(), kPair, Side::kLeft), right = eye(centre(), kPair, Side::kRight);
   double worst = 0, off_formula = 0;
@@ -26,7 +26,8 @@ Outcome measure_error(EyeView eye, bool formula) {
       for (int j = -4; j <= 4; ++j) {
         const Point<Eye, double> p(i * 0.17 * z, j * 0.1 * z, -z);
         const Point<Eye> point(float(p.x), float(p.y), float(p.z));
-        // The point is in the eye space of the centre camera; toe-in turns eye space itself.
+        // The point is given in the eye space of the centre camera. It must be transformed for each
+        // eye, because toe-in rotates eye space.
         const auto y = [&](const View& view) {
           const Point<World> world(point.x, point.y, point.z);
           return double(project(view, round_to_float(view.eye_from_world) * world).position.y);
@@ -46,7 +47,7 @@ Outcome measure_error(EyeView eye, bool formula) {
                          off_formula));
 }
 
-// Turns only the left eye.
+// Turns only the left eye towards the centre.
 View one_toed_in(const View& centre, const StereoPair& pair, Side side) {
   return side == Side::kLeft ? toe_in_view(centre, pair, side) : eye_view(centre, pair, side);
 }
@@ -57,8 +58,8 @@ View heights_of_their_own(const View& centre, const StereoPair& pair, Side side)
   return view;
 }
 
-// Low and wide triangles over the whole picture at the three distances. Their edges are almost
-// horizontal, so they show if one eye's picture is higher than the other's.
+// Low and wide triangles over the whole picture at three distances. Their edges are almost
+// horizontal, so they show if one eye's picture is higher than the other eye's.
 Outcome measure_drawn_error(const TestedEngine& engine) {
   static const StereoReference steps = [] {
     std::vector<EyeTriangle> triangles;

@@ -31,7 +31,7 @@ Image<Rgba8> without_clearing() {
   return naive::anaglyph_without_clearing_depth(eyes().left, eyes().right, kBackground);
 }
 
-// Expects red from the left eye's own picture, green and blue from the right eye's (S0-02).
+// Expects the red of the left eye's own picture, and the green and blue of the right eye's (S0-02).
 Outcome measure_error(const Image<Rgba8>& shown) {
   const Image<Rgba8> right =
       make_anaglyph(eyes().left.color, eyes().right.color, AnaglyphMethod::kMask).value();
@@ -40,8 +40,8 @@ Outcome measure_error(const Image<Rgba8>& shown) {
                       fmt::format("{} of {} pixels differ", differ, right.pixels.size()));
 }
 
-// Cards one in front of the other, where each texel has its own colour: the red channel must be as
-// the left eye sees it, green and blue as the right eye does.
+// Cards one in front of the other, where each texel has a colour of its own: the red channel must
+// show what the left eye sees, green and blue what the right eye sees.
 RayScene cards() {
   std::vector<EyeTriangle> triangles;
   std::vector<Texcoords> texcoords;

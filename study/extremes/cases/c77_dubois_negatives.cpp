@@ -17,8 +17,8 @@ AnaglyphMatrix dubois() {
   return anaglyph_matrix(AnaglyphMethod::kDubois, Glasses::kRedCyan).value();
 }
 
-// The sum in double of products of two floats, which are exact; it is clamped, then encoded (IEC
-// 61966-2-1).
+// The right mix of two colours: a sum in double of products of two floats, which are exact. The sum
+// is clamped, then encoded as sRGB (IEC 61966-2-1).
 Bytes exact_mix(const Rgba8& left, const Rgba8& right) {
   const AnaglyphMatrix matrix = dubois();
   const Linear l = linear_of(left), r = linear_of(right);
@@ -89,13 +89,13 @@ Bytes mix_in_bytes(const AnaglyphMatrix& matrix, const Rgba8& l, const Rgba8& r,
 Bytes wrapping_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
   return mix_in_bytes(matrix, left, right, naive::wrapped_byte);
 }
-// Clamps, but computes with encoded bytes instead of linear light.
+// Clamps the sums, but computes them with encoded bytes instead of linear light.
 Bytes gamma_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
   return mix_in_bytes(matrix, left, right,
                       [](double sum) { return encode_unorm8(float(std::clamp(sum, 0.0, 1.0))); });
 }
-// Computes in linear light, but does not clamp values below 0 or above 1 before they are encoded as
-// a power: negative values are mirrored.
+// Computes in linear light, but does not clamp values below 0 or above 1 before the sRGB encoding
+// (a power): a negative value is replaced by its absolute value.
 Bytes unclamped_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
   const Linear l = linear_of(left), r = linear_of(right);
   Bytes bytes;

@@ -1,4 +1,4 @@
-#include <glassbox/images/stereo/order.h>
+#include <glassbox/images/stereo/swapped_eyes.h>
 #include <glassbox/render/stereo/disparity.h>
 
 #include "study/extremes/common/coverage.h"
@@ -28,8 +28,8 @@ const Drawn& room() {
   return drawn;
 }
 
-// The share of the windows that vote for exchanged eyes. If it is more than a third, the order
-// cannot be decided (images/stereo/order.h).
+// The fraction of the windows (small areas of the picture) that vote for exchanged eyes. If it is
+// more than a third, the order cannot be decided (images/stereo/swapped_eyes.h).
 Outcome outcome_of(const OrderEvidence& evidence) {
   const double votes = double(evidence.in_order + evidence.swapped);
   const char* verdict = evidence.order == EyeOrder::kInOrder   ? "in order"

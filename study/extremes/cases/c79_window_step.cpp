@@ -8,12 +8,14 @@ namespace c79 {
 
 constexpr double kFrames = 15;
 
-// Takes the requested window, frame after frame, and returns the window that is used.
+// Takes the requested distance of the stereo window, frame after frame, and returns the distance
+// that is used.
 using Filter = std::function<double(double)>;
 
-// The window goes from 10 to 1, then back, 120 frames each. The parallax at infinity is
-// proportional to 1/f, so the result is the largest change of 1/f between two frames, as a share of
-// the whole step. A change in the wrong direction or beyond the goal counts as a jump.
+// The window's distance f goes from 10 to 1, then back, in 120 frames each. The parallax at
+// infinity is proportional to 1/f, so the error is the largest change of 1/f between two frames, as
+// a fraction of the whole step. A change in the wrong direction or beyond the goal counts as a
+// jump, which is the whole step.
 Outcome measure_error(const std::function<Filter()>& make) {
   const Filter next = make();
   double worst = 0, backwards = 0;
@@ -29,7 +31,7 @@ Outcome measure_error(const std::function<Filter()>& make) {
       last = inverse;
     }
   }
-  // 1e-15 is the rounding error of 1/(1/f).
+  // Smaller differences than 1e-15 are rounding errors of 1/(1/f).
   const bool monotone = backwards <= 1e-15;
   return {monotone ? worst : std::max(worst, 1.0),
           low_pass_weight(kFrames) * (1 + 1e-12),

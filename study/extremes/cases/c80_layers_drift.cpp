@@ -13,7 +13,7 @@ constexpr int kWidth = 8192;
 LayerEye first_eye() {
   return {.width = kWidth, .height = 1, .focal = kWidth / 2.0, .near = 0.5};
 }
-// The eye's position and turn are such that a row stays a row.
+// The second eye is moved and turned in such a way that a row of pixels stays a row.
 LayerEye second_eye() {
   LayerEye eye = first_eye();
   eye.at = {0.31, 0, -0.17};
@@ -49,7 +49,8 @@ Outcome measure_error(Warp warp) {
     const Eigen::Vector4d at =
         matrix * Eigen::Vector4d(x + 0.5, 0.5, double(row.depth[std::size_t(x)]), 1);
     const double exact = at.x() / at.w();
-    // The distance from the pixel in which it was drawn; the place inside the pixel is unknown.
+    // The distance of the exact column from the pixel in which the sample was drawn; the drawn
+    // place inside the pixel is unknown.
     const double error = std::max({column - exact, exact - (column + 1), 0.0});
     ++seen;
     if (error > worst) worst = error, worst_x = x;
@@ -72,8 +73,8 @@ Columns ours(const views::LayeredImage& image, const views::LayerCamera& to) {
   return columns;
 }
 
-// Additions in float, which start again from the exact value every `anchor` pixels; w does so every
-// `anchor_w`.
+// Computes places by additions in float, which start again from the exact value every `anchor`
+// pixels; w starts again every `anchor_w` pixels.
 Columns added_up(const views::LayeredImage& image, const views::LayerCamera& to, int anchor,
                  int anchor_w) {
   const Eigen::Matrix4d matrix = views::warp_matrix(to, image.camera);

@@ -20,7 +20,8 @@ const views::LayeredImage& wall() {
   return image;
 }
 
-// Counts the pixels that show nothing; `zoom` is F2/F1.
+// Counts the pixels that show nothing; `zoom` is the second camera's focal length divided by the
+// first's (F2/F1).
 using CountHoles = std::function<int(const views::LayerCamera& to, double zoom)>;
 
 Outcome measure_error(const CountHoles& holes) {
@@ -69,8 +70,8 @@ ExtremeCase c81_layers_magnified() {
           "and by a lens with a longer focal length",
       .stage = "layers",
       .right_answer =
-          "no hole: a sample's side is (F2/F1)(d1/d2) (S1-10); with one pixel per sample, a share "
-          "of 1 - 1/m^2 are holes",
+          "no hole: a sample's side is (F2/F1)(d1/d2) (S1-10); with one pixel per sample, a "
+          "fraction of 1 - 1/m^2 of the pixels are holes",
       .unit = "pixels",
       .oracle = Oracle::kAnalytic,
       .ours = {"squares of the projected size", [] { return measure_error(ours); }},

@@ -11,8 +11,8 @@ constexpr int kSide = 33, kMiddle = 16;  // in px
 constexpr double kFocal = 32, kNear = 1e-3;
 
 // How the second eye moves: `ahead` units along the gaze (backwards if negative), in the direction
-// in which pixel (x, y), counted from the middle pixel, is seen. If `ahead` is 0, it moves
-// sideways, by x and y pixels of parallax for each step of closeness.
+// in which the first eye sees pixel (x, y), counted from the middle pixel. If `ahead` is 0, it
+// moves sideways, so that samples of closeness n shift by n x and n y pixels.
 struct Move {
   double ahead;
   int x, y;
@@ -31,18 +31,18 @@ std::vector<Move> moves() {
   return all;
 }
 
-// A layered image whose samples are drawn exactly at pixel centres; samples that meet in one pixel
-// are exactly on one line through the second eye.
+// A layered image whose samples are drawn exactly at pixel centres of the second picture; all
+// samples that are drawn in the same pixel are exactly on one line through the second eye.
 struct Lattice {
   views::LayeredImage image;
   views::LayerCamera to;
   Image<Rgba8> right;
 };
 
-// The place along one axis at which the sample of pixel k (counted from the middle) with closeness
-// n is seen, where e is the epipole on this axis; nothing if the place is not on the lattice. If
-// the eye moves ahead, the distance from the epipole is multiplied by n + 1; if it moves back,
-// divided by n + 1; if it moves sideways, the place shifts by n e.
+// The place along one axis at which the second eye sees the sample of pixel k (counted from the
+// middle) with closeness n, where e is the epipole on this axis; nothing if the place is not a
+// pixel centre. If the eye moves ahead, the distance from the epipole is multiplied by n + 1; if it
+// moves back, divided by n + 1; if it moves sideways, the place shifts by n e.
 std::optional<int> moved(const Move& move, int k, int e, int n) {
   if (move.ahead > 0) return (n + 1) * k - e * n;
   if (move.ahead == 0) return k - n * e;
@@ -57,7 +57,7 @@ double distance_of(const Move& move, int n) {
 Lattice lattice_of(const Move& move) {
   const LayerEye first{.width = kSide, .height = kSide, .focal = kFocal, .near = kNear};
   LayerEye second = first;
-  // In the world, y points up.
+  // Screen y points down and world y up, so y changes its sign.
   second.at = move.ahead == 0 ? std::array<double, 3>{double(move.x), double(-move.y), 0}
                               : std::array<double, 3>{move.ahead * move.x / kFocal,
                                                       -move.ahead * move.y / kFocal, -move.ahead};
@@ -111,7 +111,7 @@ Image<Rgba8> in_order(const Lattice& lattice) {
       .color;
 }
 
-// The epipole along the two axes, times w, and w itself.
+// The homogeneous coordinates of the epipole: its x and y times w, and w.
 struct Epipole {
   double x, y, w;
 };
@@ -132,7 +132,8 @@ Image<Rgba8> by_lists(const Lattice& lattice, std::vector<int> columns, std::vec
 Image<Rgba8> as_packed(const Lattice& lattice) {
   return by_lists(lattice, {}, {});
 }
-// Visits towards the epipole, even if the eye has moved back.
+// Visits the pixels towards the epipole, even if the eye has moved back, where the opposite order
+// would be right.
 Image<Rgba8> without_sign(const Lattice& lattice) {
   const Epipole e = epipole_of(lattice);
   const double sign = e.w < 0 ? -1 : 1;

@@ -9,7 +9,8 @@ namespace c83 {
 
 constexpr int kSide = 64;  // in px
 
-// 4,096 samples at distances of 0.5 to 8 units, for an eye that has moved 4 units ahead.
+// 4,096 samples at distances of 0.5 to 8 units. The second eye has moved 4 units ahead, past many
+// of them.
 const views::LayeredImage& cloud() {
   static const views::LayeredImage image = [] {
     views::LayerBuilder builder(
@@ -42,8 +43,8 @@ Outcome measure_error(const std::function<Image<Rgba8>()>& draw) {
     ++shown;
     wrong += !(warped(number).w() > 0);
   }
-  // A pixel must not be empty if a sample beyond the near plane is seen in it, not too close to its
-  // border.
+  // A pixel must not be empty if a sample beyond the near plane is seen in it, unless the sample is
+  // too close to the pixel's border.
   for (std::uint32_t number = 1; number <= kSide * kSide; ++number) {
     const Eigen::Vector4d at = warped(number);
     if (!(at.w() > 0) || at.z() / at.w() > 0.999) continue;
@@ -68,8 +69,8 @@ Outcome measure_test_error(const std::function<bool(double z, double w)>& is_dra
   naive::SplatLoop loop;
   loop.is_drawn = is_drawn;
   loop.side = side;
-  // No depth buffer, as with an occlusion-compatible order: a depth buffer happens to hide samples
-  // with z < 0.
+  // Draws without a depth buffer, as in an occlusion-compatible order: a depth buffer happens to
+  // hide samples with z < 0.
   loop.compares_depth = false;
   return measure_error([loop] { return naive::splat(cloud(), passed(), loop).color; });
 }

@@ -11,11 +11,11 @@ namespace c84 {
 
 constexpr double kEpsilon = 0x1p-6;
 
-// Returns the depths of one pixel that are left after merging, from back to front.
+// Returns the depths of one pixel that remain after merging, from back to front.
 using Merge = std::function<std::vector<float>(const std::vector<float>& depths, double epsilon)>;
 
-// Each depth is 0.9 epsilon behind the previous one: near to its neighbours, but not to the next
-// one but one.
+// Depths of which each is 0.9 epsilon behind the previous one: within epsilon of its neighbours,
+// but not of the next but one.
 std::vector<float> chain() {
   std::vector<float> depths;
   for (int i = 0; i < 12; ++i)

@@ -10,7 +10,7 @@ using naive::PixelLists;
 
 constexpr int kWidth = 5, kHeight = 3;
 
-// Lists with `count` samples in each pixel, in packed order.
+// Lists of samples with count(pixel) samples in each pixel, in packed order.
 PixelLists lists(const std::function<int(int pixel)>& count) {
   PixelLists pixels(kWidth * kHeight);
   for (int i = 0; i < kWidth * kHeight; ++i) {
@@ -22,14 +22,14 @@ PixelLists lists(const std::function<int(int pixel)>& count) {
 
 using Pack = std::function<Packed(const PixelLists&)>;
 
-// Counts the pixels that do not have their own samples, or whose offsets are invalid.
+// Counts the pixels whose packed samples are not their own, or whose offsets are invalid.
 Outcome measure_error(const Pack& pack) {
   const std::vector<PixelLists> all{
       lists([](int) { return 0; }),        // no samples at all
       lists([](int i) { return i % 3; }),  // the first pixel is empty, and so is every third one
       lists([](int i) { return i == 14 ? 1 : 0; }),   // only the last pixel has a sample
       lists([](int i) { return i == 7 ? 255 : 1; }),  // as many samples as a byte can count
-      lists([](int i) { return i == 7 ? 256 : 1; }),  // one more than that
+      lists([](int i) { return i == 7 ? 256 : 1; }),  // one more than a byte can count
       lists([](int i) { return i == 0 ? 1000 : 2; }),
   };
   int wrong = 0;
@@ -55,7 +55,7 @@ Packed ours(const PixelLists& pixels) {
       builder.add(i % kWidth, kHeight - 1 - i / kWidth, depth, {9, 9, 9});
   }
   const views::LayeredImage image = builder.pack();
-  // The drawing code relies on this check too.
+  // check() must accept the image, because the drawing code relies on this check too.
   return views::check(image, "C-85") ? Packed{image.first, image.depth} : Packed{};
 }
 

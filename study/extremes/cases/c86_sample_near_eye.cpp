@@ -17,8 +17,8 @@ const views::LayeredImage& sample() {
   }();
   return image;
 }
-// An eye 1/m units in front of the sample: from there it is m px wide, starting at the middle of
-// the picture.
+// An eye 1/m units in front of the sample: from there the sample is m px wide, starting at the
+// middle of the picture.
 views::LayerCamera eye_at(double m) {
   return layer_camera_of(
       {.width = kSide, .height = kSide, .focal = 64, .near = 0x1p-24, .at = {0, 0, -1 + 1 / m}});
@@ -26,11 +26,11 @@ views::LayerCamera eye_at(double m) {
 
 struct Splatted {
   int pixels = 0;    // covered pixels
-  int reported = 0;  // samples reported as larger than they are drawn
+  int reported = 0;  // samples that are reported as drawn smaller than they are
 };
 using Draw = std::function<Splatted(double m)>;
 
-// Counts pixels that are drawn too often or missing, and samples for which the report is wrong; the
+// Counts pixels that are drawn too often or missing, and samples for which the report is wrong. The
 // samples are 2 to 2^20 px wide.
 Outcome measure_error(const Draw& draw) {
   double wrong = 0;

@@ -40,8 +40,8 @@ void visit_box(double left, double right, double top, double bottom, const Pixel
   for (int y = std::max(0, int(top)); y <= std::min(kSide - 1, int(bottom)); ++y)
     for (int x = std::max(0, int(left)); x <= std::min(kSide - 1, int(right)); ++x) visit(x, y);
 }
-// Visits only pixels whose centres are in the box. If the box is between centres there are none,
-// and the deviation of no pixels is 0.
+// Visits only pixels whose centres are in the box. If the box is between pixel centres, there are
+// none, and the standard deviation of no colours is 0.
 void centres_alone(const GridPicture& lens, const Projected& centre, const PixelVisitor& visit) {
   const Box box = box_around(lens, centre);
   visit_box(std::ceil(box.left - 0.5), std::floor(box.right - 0.5), std::ceil(box.top - 0.5),
@@ -53,7 +53,8 @@ void all_touched(const GridPicture& lens, const Projected& centre, const PixelVi
   visit_box(std::floor(box.left), std::floor(box.right), std::floor(box.top),
             std::floor(box.bottom), visit);
 }
-// Uses the width of the voxel at its centre, although its corners are nearer and farther.
+// Uses the width that the voxel has at the distance of its centre, although its corners are nearer
+// and farther.
 void centre_alone(const GridPicture& lens, const Projected& centre, const PixelVisitor& visit) {
   views::for_each_pixel(lens, centre, views::Footprint::kCentre, visit);
 }
@@ -65,7 +66,7 @@ Outcome measure_error(FootprintOf footprint_of) {
     for (int round = 0; round < 40; ++round) {
       views::VoxelGrid grid;
       grid.size = size;
-      // The voxel is 100 units away and f = 100 px, so one unit is one pixel.
+      // The voxel is 100 units away and the focal length is 100 px, so one unit is one pixel.
       grid.corner = {random.between(-20, 20), random.between(-20, 20), 100};
       views::PinholeCamera camera;
       camera.intrinsic << 100, 0, kSide / 2, 0, 100, kSide / 2, 0, 0, 1;
@@ -76,7 +77,8 @@ Outcome measure_error(FootprintOf footprint_of) {
       Image<std::uint8_t> found(kSide, kSide, 0);
       footprint_of(lens, centre, [&](int x, int y) { found.at(x, y) = 1; });
       const Box box = box_around(lens, centre);
-      // Floats are used to add and divide numbers of at most 64 px: 8 rounding errors.
+      // The box is computed with 8 additions and divisions of floats up to 64, each with a rounding
+      // error.
       constexpr double kOff = 8 * kSide * 0x1p-24;
       bool is_wrong = found.at(middle.column, middle.row) == 0;
       bool is_empty = true;

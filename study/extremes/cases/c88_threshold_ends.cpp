@@ -23,8 +23,8 @@ FlatScene noisy(bool blank, double threshold) {
   return flat;
 }
 
-// With an infinite T, the first layer takes all pixels of the middle camera. The pixels that each
-// of the other cameras sees behind that layer are seen by this camera alone.
+// With an infinite threshold T, the first layer takes all pixels of the middle camera. What the
+// other cameras see behind that layer is seen by one camera only, so no more voxels are found.
 Outcome measure_error(Colorer colored_by) {
   std::vector<views::VoxelPosition> wall;
   for (int y = 0; y < kWide; ++y)
@@ -37,7 +37,7 @@ Outcome measure_error(Colorer colored_by) {
       fmt::format("{} voxels with T = 0, {} beside the wall with T infinite", with_none, with_all));
 }
 
-template <naive::PlainSweep kWay>
+template <naive::SweepRules kWay>
 naive::VoxelKeys plain(const FlatScene& flat) {
   return naive::colored_by(flat.set, flat.request, kWay);
 }
@@ -59,11 +59,11 @@ ExtremeCase c88_threshold_ends() {
       .oracle = Oracle::kProperty,
       .ours = {"sigma < T", [] { return measure_error(colored_by_ours); }},
       .naive = {"sigma <= T",
-                [] { return measure_error(plain<naive::PlainSweep{.below = false}>); }},
+                [] { return measure_error(plain<naive::SweepRules{.below = false}>); }},
       .mutants = {{"coloured voxels hide nothing",
-                   [] { return measure_error(plain<naive::PlainSweep{.hides = false}>); }},
+                   [] { return measure_error(plain<naive::SweepRules{.hides = false}>); }},
                   {"far layers first",
-                   [] { return measure_error(plain<naive::PlainSweep{.nearest_first = false}>); }}},
+                   [] { return measure_error(plain<naive::SweepRules{.nearest_first = false}>); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

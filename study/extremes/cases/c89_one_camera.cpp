@@ -5,7 +5,8 @@
 namespace glassbox::study {
 namespace c89 {
 
-// One camera always agrees with itself, and so do two cameras at the same place.
+// Tests scenes with one camera, which always agrees with itself, and with two cameras at the same
+// place.
 Outcome measure_error(Colorer colored_by) {
   FlatScene one = make_flat_scene(6, 1, 5, {0});
   paint(one, {{2, 0, 3}, {4, 0, 1}}, {200, 30, 20, 255});
@@ -19,7 +20,7 @@ Outcome measure_error(Colorer colored_by) {
                   beside));
 }
 
-template <naive::PlainSweep kWay>
+template <naive::SweepRules kWay>
 naive::VoxelKeys plain(const FlatScene& flat) {
   return naive::colored_by(flat.set, flat.request, kWay);
 }
@@ -42,11 +43,11 @@ ExtremeCase c89_one_camera() {
       .oracle = Oracle::kProperty,
       .ours = {"two pictures at least", [] { return measure_error(colored_by_ours); }},
       .naive = {"the deviation of one is 0",
-                [] { return measure_error(plain<naive::PlainSweep{.least_views = 1}>); }},
+                [] { return measure_error(plain<naive::SweepRules{.least_views = 1}>); }},
       .mutants = {{"three pictures at least",
-                   [] { return measure_error(plain<naive::PlainSweep{.least_views = 3}>); }},
+                   [] { return measure_error(plain<naive::SweepRules{.least_views = 3}>); }},
                   {"coloured voxels hide nothing",
-                   [] { return measure_error(plain<naive::PlainSweep{.hides = false}>); }}},
+                   [] { return measure_error(plain<naive::SweepRules{.hides = false}>); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

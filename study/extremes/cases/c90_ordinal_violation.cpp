@@ -9,7 +9,8 @@ namespace c90 {
 
 using views::Vector3d;
 using Cameras = std::vector<Vector3d>;
-// Returns a direction in which voxels that hide others come first; nothing if there is none.
+// Returns a direction of visiting in which voxels come before the voxels that they hide; nothing if
+// there is none.
 using OrderOf = std::optional<Vector3d> (*)(const Cameras& cameras);
 
 const Vector3d kLow(-1, -1, -1), kHigh(1, 1, 1);
@@ -31,12 +32,12 @@ Vector3d away_from_mean(const Cameras& cameras) {
   for (const Vector3d& camera : cameras) mean += camera / double(cameras.size());
   return (kLow + kHigh) / 2 - mean;
 }
-// Goes away from the mean of the cameras, even if they are all around.
+// Returns the direction away from the mean of the cameras, even if they are all around the box.
 std::optional<Vector3d> whatever(const Cameras& cameras) {
   return away_from_mean(cameras);
 }
-// Tests whether the cameras are before the middle of the box, but ignores the near corners of the
-// box.
+// Tests only whether the cameras are in front of the middle of the box; some corners of the box may
+// be nearer.
 std::optional<Vector3d> before_the_middle(const Cameras& cameras) {
   const Vector3d direction = away_from_mean(cameras);
   for (const Vector3d& camera : cameras) {
@@ -44,7 +45,7 @@ std::optional<Vector3d> before_the_middle(const Cameras& cameras) {
   }
   return direction;
 }
-// Uses only the first camera.
+// Uses only the first camera, although the order must be right for all cameras.
 std::optional<Vector3d> direction_of_first_camera(const Cameras& cameras) {
   return views::classify({cameras.front()}, kLow, kHigh).direction;
 }
@@ -58,8 +59,8 @@ Outcome measure_error(OrderOf order_of) {
                     random.between(-far, far)};
   };
   std::vector<Cameras> all{ring(0), ring(0.5), ring(3), ring(-3)};
-  // Six cameras beyond a plane at a random distance; most of these planes leave a corner of the box
-  // on the cameras' side.
+  // Six cameras beyond a plane at a random distance from the middle of the box; with most of these
+  // planes, a corner of the box is on the cameras' side.
   for (int i = 0; i < 40; ++i) {
     const Vector3d beyond = anywhere(1).normalized();
     const double least = beyond.cwiseAbs().sum() * random.between(0.2, 1.4);
@@ -72,7 +73,7 @@ Outcome measure_error(OrderOf order_of) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Cameras& cameras = all[i];
     const auto order = order_of(cameras);
-    // Only the rings above and below the box have an order.
+    // Among the four rings, only those above and below the box (2 and 3) have an order of visiting.
     missed += !order && (i == 2 || i == 3);
     if (!order) continue;
     for (int pair = 0; pair < 400; ++pair) {

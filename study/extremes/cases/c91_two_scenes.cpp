@@ -7,7 +7,8 @@ namespace c91 {
 
 constexpr Rgba8 kRed{200, 30, 20, 255};
 
-// Two red voxels side by side look the same as two voxels one behind the other, between them.
+// Two red voxels side by side look the same to the cameras as two voxels one behind the other,
+// midway between them.
 Outcome measure_error(Colorer colored_by) {
   const std::vector<views::VoxelPosition> beside{{3, 0, 2}, {5, 0, 2}},
       nearer{{4, 0, 1}, {4, 0, 3}};
@@ -37,7 +38,7 @@ Outcome measure_error(Colorer colored_by) {
       fmt::format("{} pixels differ, {} voxels are not in the nearer scene", pixels, voxels));
 }
 
-template <naive::PlainSweep kWay>
+template <naive::SweepRules kWay>
 naive::VoxelKeys plain(const FlatScene& flat) {
   return naive::colored_by(flat.set, flat.request, kWay);
 }
@@ -60,11 +61,11 @@ ExtremeCase c91_two_scenes() {
       .oracle = Oracle::kInteger,
       .ours = {"nearest layers first", [] { return measure_error(colored_by_ours); }},
       .naive = {"coloured voxels hide nothing",
-                [] { return measure_error(plain<naive::PlainSweep{.hides = false}>); }},
+                [] { return measure_error(plain<naive::SweepRules{.hides = false}>); }},
       .mutants = {{"one picture is enough",
-                   [] { return measure_error(plain<naive::PlainSweep{.least_views = 1}>); }},
+                   [] { return measure_error(plain<naive::SweepRules{.least_views = 1}>); }},
                   {"the background is a colour like any other",
-                   [] { return measure_error(plain<naive::PlainSweep{.asks_masks = false}>); }}},
+                   [] { return measure_error(plain<naive::SweepRules{.asks_masks = false}>); }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };
 }

@@ -22,8 +22,8 @@ FlatScene disc() {
 }
 
 // All voxels have one colour, so all of them are consistent. The hull is the set of voxels that
-// both pictures show as object; its surface has the voxels that are nearest on a line of sight of
-// either picture.
+// both pictures show as object; the result is its surface, the voxels that are nearest on a line of
+// sight of one of the pictures.
 naive::VoxelKeys photo_hull(const FlatScene& flat) {
   std::set<int> taken[2];
   naive::VoxelKeys hull;
@@ -53,7 +53,7 @@ Outcome measure_error(Colorer colored_by) {
                              "voxels of the hull's surface");
 }
 
-template <naive::PlainSweep kWay>
+template <naive::SweepRules kWay>
 naive::VoxelKeys plain(const FlatScene& flat) {
   return naive::colored_by(flat.set, flat.request, kWay);
 }
@@ -76,17 +76,17 @@ ExtremeCase c92_untextured() {
                [] { return measure_error(colored_by_ours); }},
       .naive = {"everything that both pictures allow: the whole hull",
                 [] {
-                  return measure_error(plain<naive::PlainSweep{.hides = false, .least_views = 1}>);
+                  return measure_error(plain<naive::SweepRules{.hides = false, .least_views = 1}>);
                 }},
       .mutants = {{"far layers first",
                    [] {
                      return measure_error(
-                         plain<naive::PlainSweep{.nearest_first = false, .least_views = 1}>);
+                         plain<naive::SweepRules{.nearest_first = false, .least_views = 1}>);
                    }},
                   {"the background is a colour like any other",
                    [] {
                      return measure_error(
-                         plain<naive::PlainSweep{.asks_masks = false, .least_views = 1}>);
+                         plain<naive::SweepRules{.asks_masks = false, .least_views = 1}>);
                    }}},
       .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
   };

@@ -14,7 +14,7 @@ double by_welford(const std::vector<double>& numbers) {
   for (const double x : numbers) welford.add(x);
   return welford.variance();
 }
-// E[x^2] - E[x]^2: two numbers of 62500 whose difference is 3e-5.
+// The variance as E[x^2] - E[x]^2: the difference of two numbers near 62500, which is only 3e-5.
 template <class T>
 double variance_by_two_means(const std::vector<double>& numbers) {
   T sum = 0, squares = 0;
@@ -25,7 +25,7 @@ double variance_by_two_means(const std::vector<double>& numbers) {
   const T mean = sum / T(kCount);
   return double((squares - T(kCount) * mean * mean) / T(kCount - 1));
 }
-// Uses the running mean that already includes x in both factors.
+// A wrong version of Welford's method: uses the mean that already includes x in both factors.
 double by_the_new_mean(const std::vector<double>& numbers) {
   double mean = 0, squares = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -45,8 +45,8 @@ Outcome measure_error(VarianceOf variance_of) {
     for (const double x : numbers) mean += static_cast<long double>(x) / kCount;
     for (const double x : numbers) squares += (x - mean) * (x - mean);
     const double right = double(squares / (kCount - 1));
-    // The bound n u kappa, with kappa = sqrt(1 + (mean / sigma)^2), see Chan, Golub and LeVeque
-    // 1983.
+    // The relative error of Welford's method is at most n u kappa, for n numbers and the unit
+    // roundoff u, with kappa = sqrt(1 + (mean / sigma)^2); see Chan, Golub and LeVeque 1983.
     const double kappa = std::sqrt(1 + 250 * 250 / right);
     worst.add(std::abs(variance_of(numbers) - right) / right, kCount * 0x1p-53 * kappa,
               fmt::format("seed {}", seed), kappa);

@@ -33,8 +33,8 @@ Corners3d any_triangle(Random& random) {
   return {Vector3d(x, y, z), Vector3d(x, y + wide, z), Vector3d(x + wide, y, z)};
 }
 
-// Applies the same edits to `layers`, and counts the pixels that differ from a layered image built
-// from the remaining polygons.
+// Adds and removes polygons at random, and counts the pixels where `layers` then differs from a
+// layered image that is built from the remaining polygons only.
 template <typename Layers>
 Outcome measure_error(Layers layers) {
   Random random(97);

@@ -16,8 +16,8 @@ using views::ViewWeights;
 using VisibilityTest = std::function<bool(std::size_t view)>;
 using Weights = std::function<ViewWeights(const Vector3d& direction, const VisibilityTest& sees)>;
 
-// The corners of an octahedron and the centres of its faces: directions on the sides of the
-// triangles are exact.
+// Directions of views: the corners of an octahedron and the centres of its faces, so that
+// directions on the sides of the triangles between them are exact.
 const std::vector<Vector3d>& directions() {
   static const std::vector<Vector3d> all = [] {
     std::vector<Vector3d> made;
@@ -53,14 +53,16 @@ std::vector<Vector3d> asked(Random& random) {
   return all;
 }
 
-// Four rounding errors for each of at most three weights, and those of their sums.
+// Four rounding errors for each of at most three weights, and those of their sums, are less than
+// this.
 constexpr double kBound = 0x1p-50;
 
 Outcome measure_error(const Weights& weights) {
   Random random(98);
   WorstError worst;
   for (const Vector3d& direction : asked(random)) {
-    for (const int share : {1, 2, 4, 8, 1000}) {  // one of this many views sees the polygon
+    // On average, one of this many views sees the polygon.
+    for (const int share : {1, 2, 4, 8, 1000}) {
       std::vector<bool> seen(directions().size());
       for (std::size_t v = 0; v < seen.size(); ++v) seen[v] = random.integer(0, share - 1) == 0;
       const bool by_anybody = std::ranges::find(seen, true) != seen.end();
@@ -85,7 +87,7 @@ ViewWeights ours(const Vector3d& direction, const VisibilityTest& sees) {
   return blend().from_direction(direction).weights(sees);
 }
 
-// The steps of the method; each can be left out.
+// The steps of the method; mutants leave out some of them.
 struct Steps {
   bool leaves_out_unseen = true, divides = true, falls_back = true, has_empty_sum = false;
 };

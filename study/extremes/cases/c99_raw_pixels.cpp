@@ -17,15 +17,16 @@ views::Matrix3d by_normalised_points(const views::Matches& pixels) {
   return fit ? fit->matrix : views::Matrix3d::Zero();
 }
 
-// The mean distance of points without noise from the epipolar lines of a matrix that was estimated
-// from points with noise.
+// The mean distance of points without noise from their epipolar lines by a matrix that was
+// estimated from points with noise.
 double mean_distance(const views::Matrix3d& estimate, const views::Matches& clean) {
   double sum = 0;
   for (const views::Match& m : clean) sum += views::epipolar_distance(estimate, m);
   return sum / double(clean.size());
 }
 
-// Averages over all pairs, compared with what the best estimate from the same matches gives.
+// The mean error over all pairs of cameras; the bound is twice the error of the best estimate from
+// the same matches.
 Outcome measure_error(Estimator estimator) {
   Random random(99);
   double error = 0, best = 0, condition = 0;

@@ -1,4 +1,4 @@
-// Shared code of the clipping cases: the clippers that are judged, and areas in rational numbers.
+// Shared code of the clipping cases: the clippers that are tested, and areas in rational numbers.
 #pragma once
 
 #include <array>
@@ -43,8 +43,8 @@ inline exact::ExactPolygon<exact::Rational> exact_outline(const Outline& outline
   return exact;
 }
 
-// |twice the area of the outline - twice the exact area|, in square NDC units; infinite if a w is
-// zero.
+// The absolute difference of twice the outline's area and twice the exact area, in square NDC
+// units; infinite if a w is zero.
 double area_error(const Outline& outline, const ClipTriangle& triangle,
                   std::span<const ClipPlane> planes);
 

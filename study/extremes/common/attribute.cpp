@@ -47,7 +47,7 @@ Outcome measure_attribute_error(const AttributeAt& at, const AttributeTriangle& 
   if (!setup) return must_be_zero(HUGE_VAL, "no triangle");
   std::array<float, 3> values;
   for (std::size_t k = 0; k < 3; ++k) values[k] = judged.values[std::size_t(setup->order[k])];
-  WorstError worst;  // the one that uses the largest share of its bound
+  WorstError worst;  // the error that is the largest fraction of its bound
   Outcome farthest;
   for_each_covered(*setup, {0, 0, side, side}, [&](const Coverage& pixel) {
     const ExactAttribute exact = exact_attribute(*setup, pixel, values);

@@ -19,8 +19,9 @@ using AttributeAt =
 float pipeline_attribute(const TriangleSetup& setup, const Coverage& pixel,
                          const std::array<float, 3>& values);
 
-// sum E_k q_k a_k / sum E_k q_k with the given q = 1/w: a quotient of sums of positive numbers,
-// right to 2^-60 relative.
+// The exact attribute: sum E_k q_k a_k / sum E_k q_k, with the edge functions E_k, the given q_k =
+// 1/w and the attributes a_k at the vertices. All E_k q_k are positive, so it is right to a
+// relative error of 2^-60.
 struct ExactAttribute {
   long double value = 0;
   std::array<long double, 3> weights{};
@@ -28,16 +29,18 @@ struct ExactAttribute {
 ExactAttribute exact_attribute(const TriangleSetup& setup, const Coverage& pixel,
                                const std::array<float, 3>& values);
 
-// The bound 13 u (w1 |a1 - a0| + w2 |a2 - a0|) + u |a|, see raster/interpolate.h.
+// The bound 13 u (w1 |a1 - a0| + w2 |a2 - a0|) + u |a|, see raster/interpolate.h: a0, a1, a2 are
+// the values at the vertices, w1 and w2 weights, a is the attribute, and u the unit roundoff,
+// 2^-24.
 double attribute_bound(const ExactAttribute& exact, const std::array<float, 3>& values);
 
-// The worst of all pixels of a picture, each with its own bound: the error that is nearest to its
-// bound, or the largest error if some exceed their bounds. `scale` converts the attribute's unit to
-// that of the case.
 struct AttributeTriangle {
   ScreenTriangle triangle;
   std::array<float, 3> values{};  // at the vertices, in their original order
 };
+// The worst error of an attribute over all pixels of a triangle, each with its own bound: the error
+// that is nearest to its bound, or the largest error if some exceed their bounds. `scale` converts
+// the attribute's unit to that of the case.
 Outcome measure_attribute_error(const AttributeAt& at, const AttributeTriangle& judged, int side,
                                 double scale);
 

@@ -39,7 +39,7 @@ inline ScreenTriangle screen_triangle(const SnappedTriangle& t) {
 
 // ---- the exact answer ----
 
-// Computed with 128-bit integers.
+// Whether the triangle covers the centre of pixel (x, y), computed with 128-bit integers.
 bool covers_exactly(const SnappedTriangle& triangle, std::int64_t x, std::int64_t y);
 
 // Counts the pixels of the window whose coverage differs from the exact one, for each triangle
@@ -55,7 +55,7 @@ void compare_coverage(const CoverageFunction& covers, const ScreenTriangle& tria
 
 // ---- meshes ----
 
-// How often each pixel of a picture is covered by the triangles.
+// Counts how often each pixel of a picture is covered by the triangles.
 Image<int> times_covered(const CoverageFunction& covers,
                          const std::vector<ScreenTriangle>& triangles, int width, int height);
 
@@ -68,7 +68,7 @@ struct Watertightness {
 };
 
 // `columns` x `rows` quads of two triangles each, which fill the picture and extend 2 px beyond its
-// edges; inner vertices are moved by up to `jitter` of a cell.
+// edges; inner vertices are moved by up to `jitter` times the size of a quad.
 std::vector<ScreenTriangle> jittered_grid(int columns, int rows, int width, int height,
                                           double jitter, std::uint64_t seed);
 

@@ -35,7 +35,8 @@ std::function<std::uint32_t(float)> depth_codes(const DepthPath& path) {
 double coarsest_confused(const DepthPath& path, double distance, double around) {
   const auto code = depth_codes(path);
   Random random(56);
-  // Wide enough that a pair can be just inside one step.
+  // The front depths of the pairs are between nearest * distance and distance. This range is wide
+  // enough to contain two depths that differ by slightly less than one step of the depth format.
   const double nearest = 1 - std::clamp(around, 0.02, 0.5);
   double coarsest = 0;
   for (int k = -32; k <= 20; ++k) {

@@ -16,8 +16,8 @@ namespace glassbox::study {
 
 // ---- along the gaze ----
 
-// The way from a distance to a depth code: the float matrix for the two planes, the divide, the
-// depth format.
+// How a distance becomes a depth code: with the float matrix for the near and far planes, the
+// divide, and the depth format.
 struct DepthPath {
   DepthFormat format = DepthFormat::kFloat32;
   double near = 0.1, far = 1e4;
@@ -25,14 +25,14 @@ struct DepthPath {
 };
 std::function<std::uint32_t(float distance)> depth_codes(const DepthPath& path);
 
-// The largest relative separation, near `distance`, of two depths whose codes are in the wrong
-// order. Tests 200 pairs for each separation from 2^-8 to 2^5 times `around`; 0 if no pair is
-// confused.
+// The largest relative separation, near `distance`, of two distances whose depth codes are in the
+// wrong order. Tests 200 pairs for each separation from 2^-8 to 2^5 times `around`; 0 if no pair is
+// in the wrong order.
 double coarsest_confused(const DepthPath& path, double distance, double around);
 
-// The relative separation at this distance that corresponds to one step of the standard depth range
-// (`step` is 2^-bits): r = s z/(1 - s z) with s = step (f - n)/(n f); infinite beyond. For float,
-// steps are 2^-24 below 1 (B.3).
+// The relative separation r at the distance z that corresponds to one step of the standard depth
+// range (`step` is 2^-bits): r = s z/(1 - s z) with s = step (f - n)/(n f), for the planes at n and
+// f. It is infinite if s z is 1 or more. For float, steps are 2^-24 below 1 (B.3).
 double standard_separation(double distance, double near, double far, double step);
 
 // The depth code that a run stores for a rectangle at right angles to the gaze, at this distance.
@@ -46,11 +46,12 @@ float depth_of_reversed_code(std::uint32_t code);
 using DepthAt = std::function<float(const TriangleSetup&, const Coverage&)>;
 float pipeline_depth(const TriangleSetup& setup, const Coverage& pixel);
 
-// sum E_k d_k / sum E_k: integers up to 2^52 times floats, without cancellation; right to 2^-60
-// relative.
+// The exact depth of a triangle at a pixel: sum E_k d_k / sum E_k, with the edge functions E_k and
+// the depths d_k of the vertices. The E_k are integers up to 2^52 and all terms are positive, so it
+// is right to a relative error of 2^-60.
 long double exact_depth(const TriangleSetup& setup, const Coverage& pixel);
 
-// ---- what is seen ----
+// ---- what is visible ----
 
 struct ZBuffer {
   DepthAt depth = pipeline_depth;
@@ -61,7 +62,8 @@ struct ZBuffer {
 // The number of the triangle that each pixel shows, counted from 1; 0 if it shows none.
 Image<int> z_buffered(const std::vector<ScreenTriangle>& triangles, int side,
                       const ZBuffer& buffer);
-// The same, drawn by a complete run: all triangles in one draw, or each in a draw of its own.
+// The triangle that each pixel shows, counted from 1, as a complete run of an engine draws it: all
+// triangles in one draw, or each in a draw of its own.
 enum class DrawGrouping { kOne, kEach };
 Image<int> visible_triangles(const TestedEngine& engine,
                              const std::vector<ScreenTriangle>& triangles, int side,

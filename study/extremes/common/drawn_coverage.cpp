@@ -69,8 +69,8 @@ Material layer_material() {
   return material;
 }
 
-// Each layer adds half of white to the value below it and rounds to a byte: 0, 128, 192, 224, 240,
-// 248.
+// The number of half-transparent white layers on black. Each layer moves the value halfway to 255
+// and rounds it to a byte: 0, 128, 192, 224, 240, 248.
 int layers_of(const Rgba8& color) {
   int layers = 0, byte = 0;
   while (layers < kMostLayers && color.r > byte + (255 - byte) / 4) {

@@ -1,5 +1,5 @@
-// Compares the pixels that complete runs cover with 128-bit integers; a run includes all stages
-// between the scene and the picture.
+// Compares the pixels that complete runs cover with the right pixels, computed with 128-bit
+// integers; a run includes all stages between the scene and the picture.
 #pragma once
 
 #include <vector>
@@ -28,8 +28,8 @@ struct Culling {
   Cull cull = Cull::kNone;
   CullStage stage = CullStage::kScreen;
 };
-// Draws twice: first opaque, where the first triangle stays because all have the same depth; then
-// blended, where the colour counts the layers.
+// Draws the triangles twice: first opaque, where each pixel keeps the first triangle because all
+// have the same depth; then blended, where the colour shows the number of layers.
 TriangleCoverage draw_coverage(const TestedEngine& engine,
                                const std::vector<ScreenTriangle>& triangles, int side,
                                const Culling& culling = {});
@@ -58,9 +58,10 @@ Outcome worst_of(const std::vector<CoverageReference>& pictures, const TestedEng
 // at most kMostLayers.
 int layers_of(const Rgba8& color);
 
-// Unlit, linear bytes, black background.
+// Settings for pictures without light, with linear bytes and a black background.
 RenderSettings plain_settings();
-// A double-sided material in half-transparent white.
+// A double-sided, half-transparent white material; its colour in the picture shows the number of
+// layers.
 Material layer_material();
 
 }  // namespace glassbox::study

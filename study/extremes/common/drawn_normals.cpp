@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kTestMeshPixels = 12;  // side of a mesh's square
 
-// The right byte is the one nearest to 255 (n/2 + 1/2), which the pipeline computes in float with
-// four rounding errors of numbers up to 1.
+// Whether a pixel shows a normal. The right byte is the one nearest to 255 (n/2 + 1/2) for each
+// component n; the pipeline computes this in float with four rounding errors of numbers up to 1.
 bool shows_normal(const Rgba8& color, const std::array<double, 3>& normal, double radians) {
   const double length = std::hypot(normal[0], normal[1], normal[2]);
   const std::array<std::uint8_t, 3> found{color.r, color.g, color.b};

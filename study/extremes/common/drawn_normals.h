@@ -26,9 +26,9 @@ struct NormalTestMesh {
 NormalTestMesh make_normal_test_mesh(Mesh mesh, const Transform<World, Object>& place,
                                      const Vector<Object, exact::Rational>& normal);
 
-// The bound for the direction of a face's normal: one rounding of a vector of double, the entries
-// of the cofactors, three products and two sums of the same size, the division by the length, and
-// the interpolation of three equal normals.
+// The bound for the direction of a shown face normal, in radians: a vector of double is rounded
+// once; then there are rounding errors of the cofactors' entries, of three products and two sums of
+// the same size, of the division by the length, and of the interpolation of three equal normals.
 inline constexpr double kShownNormal = 14 * 0x1p-24;
 
 // Draws the meshes side by side, seen along -z. Counts the pixels in which a channel differs

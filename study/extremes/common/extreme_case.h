@@ -27,7 +27,7 @@ struct Subject {
   std::function<Outcome()> measure_error;
 };
 
-// A picture that shows more than the number does.
+// A picture that shows the error better than its number does.
 struct ExtremePicture {
   std::string name;  // stem of the file name: "naive"
   std::function<std::string()> png;
@@ -44,7 +44,7 @@ struct ExtremeCase {
   Subject ours, naive;
   std::vector<Subject> mutants = {};
   // For a case that shows in a picture: the same input is drawn by a complete run of any engine,
-  // and judged by code that the engines do not share. Floating-point exceptions of the run do not
+  // and checked by code that the engines do not share. Floating-point exceptions of the run do not
   // matter.
   std::function<Outcome(const TestedEngine& engine)> drawn = {};
   std::string not_drawn = {};  // why no picture shows the case, if `drawn` is empty

@@ -15,8 +15,8 @@ Mesh mesh_of_pane(float z, bool in_company) {
   const Point<Object> a{-1e5f, -1e5f, z}, b{1e5f, -1e5f, z}, c{1e5f, 1e5f, z}, d{-1e5f, 1e5f, z};
   add_triangle(mesh, {a, b, c});
   add_triangle(mesh, {a, c, d});
-  // The added triangle extends from behind the eye to far away, and is a hundred thousand picture
-  // widths to the right.
+  // The added triangle extends from behind the eye to far away. It is far to the right of the
+  // picture, by a hundred thousand times the picture's width.
   if (in_company) {
     add_triangle(mesh, {Point<Object>{5e5f, 0, z - 5e5f}, {6e5f, 0, z}, {5e5f, 1e5f, z + 5e5f}});
   }
@@ -51,7 +51,7 @@ PixelChanges compare_with_added_triangle(const TestedEngine& engine,
   camera.lens = OrthographicLens{2, 0.5, 20};
   const View view = make_view(camera, 8, 8).value();
   RenderSettings settings = plain_settings();
-  settings.want_id = false;  // triangle ids would keep apart draws that may be drawn together
+  settings.want_id = false;  // with triangle ids, several draws would never be drawn together
   const auto drawn = [&](bool in_company) {
     return engine.draw(scene_of_panes(panes, in_company), view, settings).buffers.color;
   };

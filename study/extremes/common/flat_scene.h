@@ -1,5 +1,6 @@
-// A scene for voxel colouring with cameras so far away that voxel (x, y, z) of size 1 is pixel (x -
-// slope z + beside, y): every right answer can be written down.
+// A scene for voxel colouring with cameras so far away that they are almost parallel: voxel (x, y,
+// z) of size 1 is seen in pixel (x - slope z + beside, y), so every right answer can be written
+// down.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +16,8 @@
 
 namespace glassbox::study {
 
-// in voxels; positions have errors of 1e-3 px over a thousand voxels
+// The distance of the cameras f in voxels. At this distance, perspective moves the picture by about
+// 1e-3 px in a thousand voxels.
 inline constexpr double kFlatFar = 0x1p20;
 
 struct FlatScene {
@@ -25,8 +27,8 @@ struct FlatScene {
 
 inline views::PinholeCamera flat_camera(double slope, double beside) {
   views::PinholeCamera camera;
-  // The pixel is f X / Z + cx with X = x + f slope and Z = z + f; a voxel's centre is half a voxel
-  // deep.
+  // The pixel column is f X / Z + cx, with f = kFlatFar, X = x + f slope and Z = z + f. The
+  // constant cx contains slope / 2 because a voxel's centre is half a voxel deep.
   camera.intrinsic << kFlatFar, 0, beside + slope / 2 - kFlatFar * slope, 0, kFlatFar, 0, 0, 0, 1;
   camera.centre = {-kFlatFar * slope, 0, -kFlatFar};
   return camera;
@@ -78,7 +80,7 @@ inline VoxelKeys keys_of(const std::vector<views::VoxelPosition>& voxels) {
   return keys;
 }
 
-// A function that finds voxels: our own code or a plain sweep.
+// A function that finds the coloured voxels of a scene: our own code or a plain sweep.
 using Colorer = VoxelKeys (*)(const FlatScene& flat);
 
 inline VoxelKeys colored_by_ours(const FlatScene& flat) {

@@ -32,7 +32,7 @@ inline views::LayerCamera layer_camera_of(const LayerEye& eye) {
                             Eigen::Isometry3d(eye_from_world));
 }
 
-// Numbers start at 1; 0 is the background.
+// A colour that encodes the number of a sample. Numbers start at 1; 0 is the background.
 inline Rgba8 color_of_number(std::uint32_t n) {
   return {std::uint8_t(n >> 24), std::uint8_t(n >> 16), std::uint8_t(n >> 8), std::uint8_t(n)};
 }

@@ -1,4 +1,4 @@
-// The result of a subject in a case, and how it is measured.
+// The result of one function or engine in an extreme case, and how its error is measured.
 #pragma once
 
 #include <algorithm>
@@ -63,8 +63,8 @@ private:
   std::int64_t tried_ = 0, beyond_ = 0;
 };
 
-// Finds the worst of many measurements, each with its own bound: the one with the largest share of
-// its bound. A NaN counts as infinite.
+// Finds the worst of many measurements, each with its own bound: the error that is the largest
+// fraction of its bound. A NaN counts as infinite.
 class WorstError {
 public:
   void add(double error, double bound, std::string where = {},
@@ -84,7 +84,7 @@ public:
   int count() const { return count_; }
   const std::string& where() const { return where_; }
 
-  // `summary` is added to the description of the worst place.
+  // `summary` is added to the text that describes the worst error.
   Outcome outcome(const std::string& summary = {}) const {
     Outcome outcome{error_, bound_, condition_, where_};
     if (!summary.empty()) outcome.summary += (outcome.summary.empty() ? "" : "; ") + summary;

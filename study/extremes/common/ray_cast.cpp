@@ -29,7 +29,7 @@ Long dot(const Long3& a, const Long3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// A line of sight: from + w along, where w is the distance along the gaze.
+// A line of sight: the points from + w * along, where w is the distance along the gaze.
 struct Line {
   Long3 from{}, along{};
 };
@@ -56,8 +56,8 @@ struct LineOf {
   }
 };
 
-// The point where a line meets a triangle's plane: its distance, and the weights of the triangle's
-// corners, whose sum is 1.
+// The point where a line hits a triangle: its distance, and the weights of the triangle's corners,
+// whose sum is 1.
 struct Hit {
   Long distance = 0;
   Long3 weights{};
@@ -86,8 +86,8 @@ bool is_culled(Cull cull, bool front) {
   return (cull == Cull::kBack && !front) || (cull == Cull::kFront && front);
 }
 
-// The numerators and the denominator of the texture coordinates along a line; all are linear in the
-// line's direction.
+// The numerators of the two texture coordinates along a line, and their common denominator. All
+// three are linear in the line's direction.
 std::array<Long, 3> texture_terms(const Long3& along, const ExactEyeTriangle& triangle) {
   std::array<Long, 3> terms{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -99,8 +99,8 @@ std::array<Long, 3> texture_terms(const Long3& along, const ExactEyeTriangle& tr
   return terms;
 }
 
-// log2 of the longer one of the two steps in the texture, in texels, to the pixel on the right and
-// to the pixel below.
+// log2 of the longer one of two steps in the texture, in texels: the step from this pixel to the
+// one on the right, and the step to the one below.
 Long level_of_detail(const RayScene& ray_scene, const ExactEyeTriangle& triangle,
                      const Line& line) {
   const auto& lens = std::get<PerspectiveLens>(ray_scene.lens);
@@ -120,7 +120,8 @@ Long level_of_detail(const RayScene& ray_scene, const ExactEyeTriangle& triangle
   return std::log2(longest * Long(ray_scene.scene.images[0].width));
 }
 
-// Red stripes disappear from level 1 on, green ones from 3, blue ones from 5.
+// How many kinds of stripes are lost at a mipmap level: red ones from level 1 on, green ones from
+// 3, blue ones from 5.
 int stripes_lost(Long level) {
   const Long nearest = std::floor(level + 0.5L);
   return nearest < 1 ? 0 : nearest < 3 ? 1 : nearest < 5 ? 2 : 3;
@@ -156,8 +157,9 @@ std::array<int, 2> texel_at(const RayScene& ray_scene, const ExactEyeTriangle& t
           wrapped(sampler.wrap_v, at[1], image.height)};
 }
 
-// Without triangle ids, pictures are drawn in other ways; for example, draws of one mesh are
-// combined. The visible face is then identified by a colour, which encodes its number in the mesh.
+// A colour that encodes the number of a face in its mesh. Pictures without triangle ids are drawn
+// in other ways (for example, draws of one mesh are combined), so the visible face must be
+// identified by its colour.
 Rgba8 color_of_face(std::uint32_t face) {
   return {std::uint8_t(face & 255), std::uint8_t(face >> 8), 255, 255};
 }
@@ -325,7 +327,7 @@ Outcome RayCastReference::measure_error(const TestedEngine& engine) const {
   const Framebuffer shown =
       engine.draw(ray_scene_.scene, ray_scene_.view, ray_scene_.settings).buffers;
   RenderSettings colors = ray_scene_.settings;
-  colors.want_id = false;  // some ways of drawing are used only without ids
+  colors.want_id = false;  // because some ways of drawing are used only without ids
   const bool by_face = ray_scene_.texels == RayScene::Texels::kNone;
   const Framebuffer colored =
       engine.draw(by_face ? numbered_ : ray_scene_.scene, ray_scene_.view, colors).buffers;

@@ -120,7 +120,8 @@ RayScene make_ray_scene(const Scene& scene, const Camera& camera, int width, int
       scene, camera.lens, make_view(camera, width, height).value(), plain_settings(), {}};
   for (Material& material : ray_scene.scene.materials) material.unlit = true;
   for (Mesh& mesh : ray_scene.scene.meshes) {
-    for (Corner& corner : mesh.corners) corner.color = kNone;  // the colours count the layers
+    // Without the scene's own colours, which would disturb the count of layers.
+    for (Corner& corner : mesh.corners) corner.color = kNone;
   }
   for (const Instance& instance : scene.instances) {
     const auto& map = scene.nodes[instance.node].world_from_node;

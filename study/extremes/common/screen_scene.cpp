@@ -25,7 +25,7 @@ ScreenScene screen_scene(const std::vector<ScreenTriangle>& triangles, int side,
   const float half = float(side) / 2;
   Mesh mesh;
   for (const ScreenTriangle& t : triangles) {
-    // The planes are at 0 and 1, so depths from 0 to 1 are between them.
+    // The near and far planes are at 0 and 1, so vertices with depths from 0 to 1 are between them.
     const auto place = [&](const ScreenVertex& v) {
       return Point<Object>(v.position.x - half, half - v.position.y, -v.position.z);
     };

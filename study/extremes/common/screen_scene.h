@@ -28,8 +28,8 @@ Scene one_draw_per_triangle(const Scene& scene);
 // A double-sided material that shows its own colour.
 Material unlit_material();
 
-// `first` is the triangle that each pixel shows if the first one drawn stays, counted from 1 (0:
-// none); `times` is how often the pixel is covered.
+// `first` is the triangle that each pixel shows if later ones do not replace the first one drawn
+// there; triangles are counted from 1, and 0 means none. `times` is how often the pixel is covered.
 struct TriangleCoverage {
   Image<int> first, times;
 };

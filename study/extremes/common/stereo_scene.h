@@ -22,7 +22,7 @@ struct StereoScene {
 };
 
 // A built-in scene, seen by its own camera or framed. The window is at the distance of the scene's
-// centre, and half the separation is this share of that distance.
+// centre, and half the separation is the fraction `share` of that distance.
 StereoScene make_stereo_scene(const std::string& name, double share, int width = 320,
                               int height = 180);
 
@@ -33,11 +33,11 @@ struct EyePictures {
 // Draws each eye in a separate run of the staged reference: the right result for a pair.
 EyePictures draw_eyes_separately(const StereoScene& scene);
 
-// The ray scene that one eye sees, for a ray scene of the camera between the eyes with a
-// perspective lens: from the eye's own place, through the same window.
+// The ray scene that one eye sees: from the eye's own place, through the same window. `centre` is
+// the ray scene of the camera between the eyes, with a perspective lens.
 RayScene eye_ray_scene(RayScene centre, const StereoPair& pair, Side side);
-// An engine that draws one eye of a pair with the given engine. Its views are those of the camera
-// between the eyes.
+// An engine that draws one eye's picture of a pair with the given engine. The views that it gets
+// are those of the camera between the eyes.
 TestedEngine engine_for_eye(const TestedEngine& engine, const StereoPair& pair, Side side);
 
 // A ray scene seen by both eyes, computed once for all engines.
@@ -51,7 +51,7 @@ private:
   RayCastReference left_, right_;
 };
 
-// The number of pixels that differ; for pairs, in both eyes.
+// The number of pixels that differ between two pictures; for pairs, the sum over both eyes.
 std::uint64_t pixels_that_differ(const Image<Rgba8>& a, const Image<Rgba8>& b);
 std::uint64_t pixels_that_differ(const EyePictures& a, const EyePictures& b);
 

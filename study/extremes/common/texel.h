@@ -9,7 +9,7 @@ namespace glassbox::study {
 
 using TexelAt = std::function<int(Wrap wrap, float t, int size)>;
 
-// The pipeline's nearest sample in a row of texels whose colours are their own numbers.
+// The number of the texel that the pipeline's nearest sampling takes from a row of `size` texels.
 inline int pipeline_texel(Wrap wrap, float t, int size) {
   Image<Rgba8> row(size, 1);
   for (int i = 0; i < size; ++i)

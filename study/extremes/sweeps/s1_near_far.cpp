@@ -10,17 +10,20 @@ namespace glassbox::study {
 
 namespace s1 {
 
-constexpr double kDistance = 0.5;  // a share of the far plane's distance, which is 1
+constexpr double kDistance = 0.5;  // a fraction of the far plane's distance, which is 1
 
 struct Format {
   const char* name;
   DepthFormat format;
   DepthPath::Detour detour;
-  double step;  // step of the codes in depth; 0 for reversed float, whose steps shrink with depth
+  // The difference of two neighbouring codes in depth; 0 for reversed float, where it shrinks with
+  // depth.
+  double step;
 };
 
-// The float pipeline may have an error of 3 u in each of two standard depths near 1 (product, sum,
-// quotient), and with reversed depth a relative error of 4 u in all (C-56).
+// The bound for the relative separation, with the unit roundoff u. The float pipeline may have an
+// error of 3 u in each of two standard depths near 1 (product, sum, quotient). With reversed depth
+// it may have a relative error of 4 u in all (C-56).
 double bound_of(const Format& format, double near) {
   const double u = double(unit_roundoff<float>);
   if (format.step == 0) return 4 * u;

@@ -30,7 +30,8 @@ OffsetScene scene_at_offset(double offset) {
 
 using LongVector = glm::vec<3, long double>;
 
-// Computes with the numbers of the matrices in 64 bits of mantissa: right to 2^-60 of the offset.
+// Computes the position with the numbers of the matrices in 64 bits of mantissa, which is right to
+// 2^-60 of the offset.
 LongVector exactly(const OffsetScene& scene, const Point<Object>& p) {
   LongVector eye(0);
   const auto& m = scene.eye_from_world;
@@ -49,7 +50,8 @@ struct PositionWithBound {
   glm::dvec3 position, bound;
 };
 
-// World positions in float, and the eye's translation inside a float matrix.
+// Computes the position in world space in float, and then the position in eye space with a float
+// matrix that contains the eye's translation.
 PositionWithBound in_float(const OffsetScene& scene, const Point<Object>& p) {
   const double u = double(unit_roundoff<float>);
   const auto world_from_object = round_to_float(scene.world_from_object);
@@ -57,7 +59,7 @@ PositionWithBound in_float(const OffsetScene& scene, const Point<Object>& p) {
   const Point<World> world = world_from_object * p;
   const Point<Eye> eye = eye_from_world * world;
   const glm::dvec4 world_bound =
-      // rounded: the translation and the sum
+      // two rounding errors: of the translation and of the sum
       2 * u * glm::abs(glm::dvec4(world.x, world.y, world.z, 0));
   const glm::dvec4 bound =
       transform_bound(eye_from_world.columns, {world.x, world.y, world.z, 1}, world_bound,

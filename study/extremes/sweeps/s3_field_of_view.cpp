@@ -48,8 +48,8 @@ std::vector<SweepSeries> field_of_view_series() {
       {"degrees, cot from sine and cosine", true,
        [](double degrees) { return perspective_degrees(degrees, 1, kPlanes)->at(1, 1); },
        [](double) { return 8 * unit_roundoff<double>; }},
-      // Two rounding errors of the angle, times the condition number; then those of tangent and
-      // quotient.
+      // The angle has rounding errors of up to 4 u in all (u is the unit roundoff), which the
+      // condition number multiplies; tangent and quotient add up to 4 u.
       {"double, tangent of radians", false,
        [](double degrees) { return 1 / std::tan(radians_from_degrees(degrees) / 2); },
        [](double degrees) { return (4 * condition(degrees) + 4) * unit_roundoff<double>; }},
@@ -65,8 +65,8 @@ std::vector<SweepSeries> field_of_view_series() {
     for (const double degrees : angles()) {
       const double bound = method.bound(degrees);
       series.points.push_back({both_ends(degrees), relative_error(degrees, method.scale(degrees)),
-                               // The bound is a first-order one, so it is used only where it is
-                               // small.
+                               // The bound neglects errors of second order, so it is used only
+                               // where it is small.
                                bound < 0.01 ? std::optional(bound) : std::nullopt});
     }
     all.push_back(with_limit(std::move(series), 1e-4));

@@ -19,7 +19,8 @@ using LooksAt = Result<Transform<Eye, World>> (*)(const Point<World, double>&,
 
 const Point<World, double> kEye(1, 2, 3), kTarget(4, -1, 5);
 
-// The gaze turned by the angle towards a vector perpendicular to it.
+// An up vector at this angle to the gaze, in the plane of the gaze and a vector perpendicular to
+// it.
 Vector<World, double> up_at(double angle) {
   const Vector<World, double> gaze = kTarget - kEye;
   const Vector<World, double> across = cross(gaze, Vector<World, double>(0, 1, 0));
@@ -43,8 +44,8 @@ SweepSeries series_of(const char* name, bool ours, LooksAt looks_at, double roun
     const double error = sound
                              ? angle_between_u(*found, exact::look_at(kEye, kTarget, up_at(angle)))
                              : std::numeric_limits<double>::infinity();
-    // The bound is (8 + 4/sine) u for each of three entries (pipeline/look_at.h); none if there is
-    // no answer.
+    // The bound is (8 + 4/sine) u for each of three entries (pipeline/look_at.h; u is the unit
+    // roundoff); there is none if the method has no answer.
     const double bound = std::sqrt(3.0) * (8 + 4 / std::sin(angle)) * roundoff;
     series.points.push_back(
         {angle, error, sound && bound < 0.1 ? std::optional(bound) : std::nullopt});

@@ -12,7 +12,7 @@ namespace s5 {
 
 constexpr double kLength = 4000;
 
-// The share of wrong answers among the pixels beside the long edge.
+// The fraction of wrong answers among the pixels beside the long edge of slivers.
 double share_wrong(const CoverageFunction& covers, double width) {
   Random random(4);
   CoverageFaults faults;
@@ -55,7 +55,7 @@ Sweep s5_sliver() {
           .question = "How thin may a triangle 4,000 px long be before pixels are decided wrongly?",
           .axis = "width",
           .axis_unit = "px",
-          .error = "share of the pixels along the edge that are wrong",
+          .error = "fraction of the pixels along the edge that are wrong",
           .reference = "the snapped triangle in 128 bits",
           .bound = "0: edge functions are integers; float gives no guarantee",
           .tolerance = "any wrong pixel",

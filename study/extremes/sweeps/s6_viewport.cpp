@@ -59,7 +59,7 @@ Sweep s6_viewport() {
       .question = "How large may a picture be before pixels beside an edge are decided wrongly?",
       .axis = "width and height",
       .axis_unit = "px",
-      .error = "share of the pixels on random edges that are wrong",
+      .error = "fraction of the pixels on random edges that are wrong",
       .reference = "the snapped triangle in 128 bits; large pictures are sampled, not allocated",
       .bound = "0: edge functions have at most 52 of 63 bits",
       .tolerance = "any wrong pixel",

@@ -27,7 +27,7 @@ Matrix<T> converted(const Matrix<From>& m) {
   return Matrix<T>(glm::mat<4, 4, T>(m.columns));
 }
 
-// The Frobenius norm of the linear part and the length of the translation.
+// The Frobenius norm of a matrix's linear part, and the length of its translation.
 struct Sizes {
   double linear = 0, move = 0;
 };
@@ -44,9 +44,10 @@ Sizes sizes_of(const Matrix<T>& m) {
 }
 
 // Multiplies the matrices M of a chain to a product P, and bounds how far P may be from the product
-// in exact arithmetic. With the parts L and t of P, the scale s and the move |m| of the next level,
+// in exact arithmetic. L and t are the linear part and the translation of P, dL and dt bound their
+// errors; s is the scale of the next matrix M, and m its translation. The next bounds are
 //   dL' = dL s + (gamma_4 + u) |L|_F |M|_F,   dt' = dt + dL |m| + (gamma_4 + u) (|L|_F |m| + |t|),
-// where u is the rounding error of the level's own entries.
+// where the term with u (the unit roundoff) is for the rounded entries of M.
 template <class T>
 struct Chain {
   Matrix<T> product;

@@ -24,7 +24,8 @@ using ClipFromEye = Transform<Clip, Eye, float>;
 struct ScreenPosition {
   double x = 0, bound = 0;  // in px
 };
-// `matrix_bound` is how far the matrix may be from the intended one.
+// Projects a point and bounds the error of its x. `matrix_bound` is how far the entries of the
+// matrix may be from the intended ones.
 ScreenPosition project_with_bound(const View& view, const ClipFromEye& m,
                                   const glm::dmat4& matrix_bound, const Point<Eye>& p) {
   const Point<Clip> clip = m * p;
@@ -36,7 +37,7 @@ ScreenPosition project_with_bound(const View& view, const ClipFromEye& m,
   return {double(to_screen(ndc, view.viewport).position.x), screen.x};
 }
 
-// The matrix of an eye, and how far it may be from the formula's.
+// The matrix of an eye, and how far its entries may be from those of the formula.
 struct EyeMatrix {
   ClipFromEye matrix;
   glm::dmat4 bound{0};
@@ -54,8 +55,9 @@ EyeMatrix composed_in_float(const View& centre, const StereoPair& pair, Side sid
   const Transform<Eye, Eye, float> b = round_to_float(skew);
   ClipFromEye m;
   m.columns = (a * b).columns;
-  // The entries are rounded before (2 u), and the product adds gamma_4; the bound is that of a
-  // product in double, converted to the unit roundoff of float.
+  // The entries of the two matrices are rounded before (2 u, with the unit roundoff u), and the
+  // product adds gamma_4, about 4 u: together 1.5 times the bound of a product. `product` is this
+  // bound for double, so it is converted to the unit roundoff of float.
   const glm::dmat4 product = product_bound(glm::dmat4(a.columns), glm::dmat4(b.columns));
   return {m, product * (1.5 * double(unit_roundoff<float>) / unit_roundoff<double>)};
 }

@@ -107,7 +107,7 @@ TEST_CASE("lab render and lab stiff hand the assembler nothing that a compiler d
        {folder.render({"-o", "none.png"}), folder.run({"lab", "stiff", "mine"})}) {
     CAPTURE(outcome.out, outcome.err);
     CHECK(outcome.exit_code == 1);
-    CHECK(has(outcome.out, "which a compiler never writes"));
+    CHECK(has(outcome.out, "that no compiler writes"));
   }
   CHECK_FALSE(fs::exists(folder.path() / "none.png"));
 }

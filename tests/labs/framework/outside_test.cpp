@@ -140,7 +140,7 @@ TEST_CASE("what is wrong with a lab's folder is said, with exit code 2 (--lab-di
   with("expect(const FogCase& input) {", "expect(const FogCase& input) { oh");
   refused("40-fog", "checks.cpp:");
   with("\"40-fog\"", "\"40-mist\"");
-  refused("40-fog", "calls its folder \"40-mist\"");
+  refused("40-fog", "that its folder is called \"40-mist\"");
   with(".number = 40", ".number = 41");
   refused("40-fog", "number is 41");
   with("{{\"40.1\"", "{{\"40.2\"");

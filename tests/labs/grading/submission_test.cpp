@@ -77,9 +77,9 @@ TEST_CASE("folders, archives and single files are submissions; the rest is skipp
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);
   CHECK(has_part(outcome.err, "grades.xlsx: is neither a folder nor an archive nor a .cpp file"));
-  CHECK(has_part(outcome.err, "ann.zip: ann has the same name"));
-  CHECK(has_part(outcome.err, "class.csv.zip: a file of the results has this name"));
-  CHECK(has_part(outcome.err, "index.html: a file of the results has this name"));
+  CHECK(has_part(outcome.err, "ann.zip: another submission, ann, has the same name"));
+  CHECK(has_part(outcome.err, "class.csv.zip: this name is needed for a file of the results"));
+  CHECK(has_part(outcome.err, "index.html: this name is needed for a file of the results"));
   const auto result = [&](const std::string& name) {
     return read_json(directory.path / "results" / name / "results.json");
   };
@@ -113,8 +113,8 @@ TEST_CASE("hostile archives are refused with the reason, and nothing of them is 
   std::vector<Entry> bomb(30, {"zeros", std::string(10 << 20, '\0')});
   bomb.push_back({"student.cpp", "x"});
   CHECK(has_part(refused("f.tar.gz", bomb), "more than 256 MiB"));
-  CHECK(
-      has_part(refused("g.zip", std::vector<Entry>(10001, {"a", "x"})), "more than 10000 entries"));
+  CHECK(has_part(refused("g.zip", std::vector<Entry>(10001, {"a", "x"})),
+                 "more than 10000 files and folders"));
   CHECK(has_part(refused("h.zip", {{"main.cpp", "x"}, {"lib/x.cpp", "x"}}),
                  "there is lib/x.cpp, main.cpp"));
   CHECK(refused("i.zip", {{"student.cpp", "x"}, {"lab/student.cpp", "y"}}) == "read: x");

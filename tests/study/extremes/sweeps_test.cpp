@@ -40,8 +40,8 @@ TEST_CASE("what is measured at the end of a sweep is harder than at its beginnin
         const bool upwards = series.points[1].parameter > series.points[0].parameter;
         CHECK((series.points[i].parameter > series.points[i - 1].parameter) == upwards);
       }
-      // Shares of wrong pixels vary by chance; errors of numbers grow.
-      const bool counted = sweep.error.starts_with("share");
+      // Fractions of wrong pixels vary by chance; errors of numbers grow.
+      const bool counted = sweep.error.starts_with("fraction");
       if (series.failure_parameter && !series.ours && !counted) {
         CHECK(series.points.back().error >= series.points.front().error);
       }

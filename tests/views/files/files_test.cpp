@@ -74,7 +74,7 @@ TEST_CASE("cameras are read as they were written, and bad ones are refused") {
   CHECK(message_of(parse_cameras("2\n")).find("announces 2 cameras, but there are 0") !=
         std::string::npos);
   CHECK(message_of(parse_cameras("1\na 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 0 1 0 0 0"))
-            .find("K is not") != std::string::npos);
+            .find("matrix K is wrong") != std::string::npos);
   CHECK_FALSE(parse_cameras(""));
 }
 

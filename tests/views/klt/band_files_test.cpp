@@ -242,8 +242,8 @@ TEST_CASE("what files would take is asked of their headers, before anything is d
   const std::uint64_t one = 73728;
   CHECK(open_bands({broken}, one));
   CHECK(refusal(open_bands({broken}, one - 1))
-            .find("the bands would take 0.0703 MB; allow more memory with --max-mb 1") !=
-        std::string::npos);
+            .find("the bands would take 0.0703 MB of memory, more than is allowed; allow more "
+                  "memory with --max-mb 1") != std::string::npos);
   CHECK(open_bands({broken, whole}, 2 * one));
   CHECK(refusal(open_bands({broken, whole}, 2 * one - 1)).find("--max-mb") != std::string::npos);
   CHECK(refusal(open_bands({broken, other}, kMegabyte)).find("is 1 x 1") != std::string::npos);
@@ -271,8 +271,8 @@ TEST_CASE("files that are none, cut off or of absurd sizes are refused with thei
   huge[16] = huge[20] = char(0x7f);  // the high bytes of its width and height
   refused("huge.png", huge, "PNG");
   refused("short.pgm", "P5\n4 4\n255\nabc", "cannot fit");
-  refused("huge.pgm", "P5\n4000000000 4000000000\n255\nabc", "limit");
-  refused("none.pgm", "P5\n0 4\n255\n", "size above zero");
+  refused("huge.pgm", "P5\n4000000000 4000000000\n255\nabc", "at most 16384");
+  refused("none.pgm", "P5\n0 4\n255\n", "at least one pixel");
   refused("negative.pgm", "P5\n-4 4\n255\n", "not a valid");
   CHECK(refusal(read_bands({directory.file("nothing.png")}, kMegabyte)).find("nothing.png") !=
         std::string::npos);

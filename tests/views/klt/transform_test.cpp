@@ -193,7 +193,7 @@ TEST_CASE("bands that are none, of other sizes, or of numbers that are none are 
   CHECK_FALSE(klt_of({2, 2, {{"a", {1, 2, 3}}}}));
   const auto nan = klt_of({2, 1, {{"a", {1, 2}}, {"infra", {1, std::nan("")}}}});
   REQUIRE_FALSE(nan);
-  CHECK(nan.error().message().find("infra: the sample of column 1, row 0") != std::string::npos);
+  CHECK(nan.error().message().find("infra: the sample in column 1, row 0") != std::string::npos);
   CHECK_FALSE(klt_of({2, 1, {{"a", {1, INFINITY}}}}));
   CHECK_FALSE(klt_of({2, 1, {{"a", {0, 1e200}}}}));
   CHECK(klt_of({2, 1, {{"a", {0, 1e150}}}}));

@@ -85,7 +85,7 @@ TEST_CASE("S2-04: the part of a pixel is where the two lines through three costs
         costs.at(x, 0)[i] = std::uint16_t(100 * std::abs(i - 1 - best) + 0.5);
       }
     }
-    const Winners winners = find_winners(costs, nullptr, true, best_target());
+    const DisparityMaps winners = find_winners(costs, nullptr, true, best_target());
     INFO(best);
     // Costs are rounded to a hundredth of what a pixel changes: by half of that in each of the two
     // lines.
@@ -168,7 +168,8 @@ TEST_CASE("what cannot be matched is refused before anything is allocated") {
   CHECK(cause(some, other, {}).find("20 x 10 and 21 x 10") != std::string::npos);
   CHECK(cause(single, single, {}).find("1 x 1") != std::string::npos);
   CHECK(cause(some, some, method("default", {3, 2})).find("empty range") != std::string::npos);
-  CHECK(cause(some, some, method("default", {20, 30})).find("outside") != std::string::npos);
+  CHECK(cause(some, some, method("default", {20, 30})).find("no pixel has a partner") !=
+        std::string::npos);
   // 20 x 10 pixels with 16032 disparities of six bytes each.
   CHECK(bytes_of_match(20, 10, method("default", {0, 16000})) == 20u * 10 * 16032 * 6);
   CHECK(cause(some, some, method("default", {0, 16000}), 19'000'000).find("18 MB") !=

@@ -135,8 +135,8 @@ TEST_CASE("D-20: winners of sums in bytes are those of the same sums in a volume
       MatchSettings settings = fast(range);
       settings.target = target;
       CostVolume sums = volume_of(left, range);
-      const Winners winners = sweep_in_bytes(left, right, settings, &sums);
-      const Winners expected = find_winners(sums, nullptr, true, target);
+      const DisparityMaps winners = sweep_in_bytes(left, right, settings, &sums);
+      const DisparityMaps expected = find_winners(sums, nullptr, true, target);
       INFO(name_of(target) << ", to " << range.last);
       CHECK(winners.left == expected.left);
       CHECK(winners.right == expected.right);

@@ -40,7 +40,7 @@ TEST_CASE("cameras whose numbers no float has are refused, and none is taken for
       far.set.pictures[1].camera.centre.z() = -1e300;
       const auto refused = color_voxels(far.set, far.request);
       REQUIRE_FALSE(refused);
-      CHECK(refused.error().message().find("b.png: the numbers of its camera are too large") !=
+      CHECK(refused.error().message().find("b.png: the numbers of its camera are so large") !=
             std::string::npos);
       far = flat;
       far.set.pictures[0].camera.intrinsic(0, 0) = 1e300;

@@ -166,7 +166,7 @@ TEST_CASE("pictures and masks that do not fit their cameras are refused, with th
   CHECK(with("1\n/etc/passwd" + identity).find("does not exist") != std::string::npos);
   // A matrix K without a focal length, then a matrix R that mirrors.
   CHECK(with("1\nview000.png 0 0 16 0 100 16 0 0 1 1 0 0 0 1 0 0 0 1 0 0 2\n")
-            .find("K is not a camera matrix") != std::string::npos);
+            .find("the intrinsic matrix K is wrong") != std::string::npos);
   CHECK(with("1\nview000.png 100 0 16 0 100 16 0 0 1 1 0 0 0 1 0 0 0 -1 0 0 2\n")
             .find("R is a mirror") != std::string::npos);
   std::filesystem::remove(folder + "/ring_par.txt");
@@ -199,14 +199,14 @@ TEST_CASE("COLMAP's text files give the cameras that they describe") {
     return refusal(parse_colmap(lens_text, image_text));
   };
   const std::string image = "1 1 0 0 0 0 0 4 ";
-  CHECK(refused(cameras, "").find("the camera model has distortion") != std::string::npos);
+  CHECK(refused(cameras, "").find("the camera has distortion") != std::string::npos);
   CHECK(refused("4 FISHEYE 64 48 50 32 24\n", "").find("'FISHEYE' is not a pinhole model") !=
         std::string::npos);
-  CHECK(refused("5 PINHOLE 64 48 0 50 32 24\n", "").find("K is singular") != std::string::npos);
+  CHECK(refused("5 PINHOLE 64 48 0 50 32 24\n", "").find("a focal length is not positive") !=
+        std::string::npos);
   CHECK(refused("5 PINHOLE 64 48 50\n", "").find("has 5 of the 8 words") != std::string::npos);
   CHECK(refused(two + two, "").find("another camera has the same number") != std::string::npos);
-  CHECK(refused(two, image + "9 a.png\n\n").find("no camera with this number") !=
-        std::string::npos);
+  CHECK(refused(two, image + "9 a.png\n\n").find("no camera with the number") != std::string::npos);
   CHECK(refused(two, "1 2 0 0 0 0 0 4 1 a.png\n\n").find("length of the quaternion is 2") !=
         std::string::npos);
   CHECK(refused(two, "1 1 0 nan 0 0 0 4 1 a.png\n\n").find("'nan' is not a number") !=

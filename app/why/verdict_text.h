@@ -12,7 +12,7 @@
 
 namespace glassbox {
 
-// What became of a triangle, in words such as "turned away".
+// What happened to a triangle, in words such as "turned away".
 const char* result_words(TriangleResult result);
 
 // The name of an instance's mesh: "mesh 'teapot'", or "mesh 3" if it has no name.
@@ -27,16 +27,17 @@ std::string subpixels_text(double subpixels);
 // A list in words: "a", "a and b", "a, b and c".
 std::string list_in_words(const std::vector<std::string>& parts);
 
-// The reasons of the verdict, with their numbers: one paragraph per element, without line breaks.
+// The reasons for what happened to the triangle, with their numbers: one paragraph per element,
+// without line breaks.
 std::vector<std::string> explain(const View& view, const TriangleVerdict& verdict);
 
-// What is wrong with the view itself; empty if its matrices are consistent.
+// What is wrong with the matrices of the view itself; empty if they are consistent.
 std::vector<std::string> explain(const ViewConventions& conventions);
 
-// The same for triangles that end before they have a fragment.
+// The reasons for a triangle that is removed before it has a fragment.
 std::vector<std::string> explain_geometry(const View& view, const TriangleVerdict& verdict);
 
-// What it means if this became of a scene's triangles: "every w is 0 or less: ...".
+// What it means for a scene if this happened to its triangles: "every w is 0 or less: ...".
 const char* result_meaning(TriangleResult result);
 
 // A verdict as JSON: one field per member, left out if it does not apply.

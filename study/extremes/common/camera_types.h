@@ -29,7 +29,7 @@ inline Point<Eye> composed_in_double(const Transform<Eye, World>& view,
   return round_to_float(view * model) * p;
 }
 
-// Compares the first three rows of a matrix with an exact one, entry by entry.
+// Compares the first three rows of a matrix with those of an exact one, entry by entry.
 template <class Target, class Source>
 void add_entry_errors(WorstError& worst, const Transform<Target, Source>& found,
                       const exact::Matrix4<exact::Decimal>& exact, int columns, double bound,

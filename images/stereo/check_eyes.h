@@ -8,7 +8,7 @@
 
 namespace glassbox {
 
-// Refuses eyes of different sizes; `place` is the name for the error message.
+// Refuses pictures of different sizes; the error names `place`.
 Result<void> check_eyes(std::string place, const Image<Rgba8>& left, const Image<Rgba8>& right);
 
 // Refuses a disparity map whose size differs from the picture's.

@@ -1,11 +1,11 @@
-#include <glassbox/images/stereo/order.h>
+#include <glassbox/images/stereo/swapped_eyes.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 
 #include <glassbox/images/out_of_memory.h>
-#include <glassbox/images/stereo/eyes.h>
+#include <glassbox/images/stereo/check_eyes.h>
 
 namespace glassbox {
 namespace {
@@ -13,12 +13,12 @@ namespace {
 constexpr int kRadius = 3;                                      // px, of a window around its centre
 constexpr int kWindow = (2 * kRadius + 1) * (2 * kRadius + 1);  // pixels
 constexpr int kStep = 2;                                        // px, from one window to the next
-// Standard deviation that counts as texture, thousandths of a byte.
+// The standard deviation from which a window counts as texture, in thousandths of a byte.
 constexpr double kLeastDeviation = 2000;
 constexpr double kClearlyBetter = 0.1;
 constexpr std::uint64_t kLeastVotes = 32;
 
-// The luma of the channels that an eye's picture uses, in thousandths of a byte.
+// The luma of one eye, from the channels that its picture uses, in thousandths of a byte.
 using Plane = Image<int>;
 
 Plane plane_of(const Image<Rgba8>& picture, const EyeChannels& channels) {
@@ -32,8 +32,8 @@ Plane plane_of(const Image<Rgba8>& picture, const EyeChannels& channels) {
   return plane;
 }
 
-// Normalised correlation of the windows around two pixels, in [-1, 1]. Its sums are sums of whole
-// numbers: exact.
+// The normalised correlation of the windows around two pixels, in [-1, 1]. It is computed from sums
+// of whole numbers, which are exact.
 struct Fit {
   bool has_texture = false;
   double correlation = 0;
@@ -60,7 +60,7 @@ Fit fit(const Plane& a, int ax, const Plane& b, int bx, int y) {
 
 struct Planes {
   Plane left, right;
-  bool sign_counts = true;  // false: light in one picture may be dark in the other
+  bool sign_counts = true;  // false: what is light in one picture may be dark in the other
 };
 
 OrderEvidence collect_order_evidence(const Planes& eyes, const Image<float>& disparity) {

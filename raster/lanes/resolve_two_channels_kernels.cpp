@@ -2,7 +2,7 @@
 
 // Highway compiles this file once for each instruction set.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "resolve_two_kernels.cpp"
+#define HWY_TARGET_INCLUDE "resolve_two_channels_kernels.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>

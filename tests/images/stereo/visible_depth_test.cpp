@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include <glassbox/images/stereo/information.h>
+#include <glassbox/images/stereo/visible_depth.h>
 
 namespace {
 

@@ -21,8 +21,8 @@ std::string affine_sentence(const MatrixFacts& facts);
 // Follows one point from object space to the window.
 std::string walk_text(const PointStep::Walk& walk, const PointStep& step);
 
-// Where the point ends: "visible at (640.00, 360.00)", "outside the near plane: its distance along
-// the gaze is 0.05, and ...", "behind the eye (w = -3)"
+// Where the point is in the end: "visible at (640.00, 360.00)", "outside the near plane: its
+// distance along the gaze is 0.05, and ...", "behind the eye (w = -3)"
 std::string vertex_verdict_text(const VertexChain& chain, const PointStep& step);
 
 }  // namespace glassbox::app

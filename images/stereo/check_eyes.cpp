@@ -1,4 +1,4 @@
-#include <glassbox/images/stereo/eyes.h>
+#include <glassbox/images/stereo/check_eyes.h>
 
 #include <fmt/format.h>
 
@@ -15,9 +15,9 @@ Result<void> check_eyes(std::string place, const Image<Rgba8>& left, const Image
 Result<void> check_disparity(const Image<Rgba8>& picture, const Image<float>& disparity) {
   if (picture.width == disparity.width && picture.height == disparity.height) return {};
   return fail("disparity",
-              fmt::format("the map has {}x{} pixels, the picture {}x{}", disparity.width,
-                          disparity.height, picture.width, picture.height),
-              "make the map for this picture");
+              fmt::format("the disparity map has {}x{} pixels, but the picture has {}x{}",
+                          disparity.width, disparity.height, picture.width, picture.height),
+              "make the disparity map for this picture");
 }
 
 }  // namespace glassbox

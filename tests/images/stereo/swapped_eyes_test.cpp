@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include <glassbox/images/stereo/order.h>
+#include <glassbox/images/stereo/swapped_eyes.h>
 
 #include "tests/images/stereo/pictures.h"
 

@@ -18,8 +18,8 @@ namespace glassbox::app {
 // and "textures".
 void add_contents(const GltfContents& contents, nlohmann::ordered_json& json);
 
-// Animations, skins, primitives and textures, one per line; primitives with the same attributes
-// share a line.
+// Animations, skins, primitives and textures as text, one per line; primitives with the same
+// attributes are on one line.
 std::string contents_text(const GltfContents& contents);
 
 // The report of `glassbox info` on a layered depth image.

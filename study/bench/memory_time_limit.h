@@ -12,11 +12,13 @@ struct Floor {
   double operations_per_second = 0;  // float multiplications and additions, not fused
 };
 
-// Measured by loops over memory that is larger than every cache; the best of several runs.
+// Measures the bandwidth of the memory with loops over more memory than every cache holds, and the
+// operations with a loop that needs no memory. Takes the best of several runs.
 Floor measure_floor(int threads);
 
-// The bytes that move if everything is moved once: vertices (their tables as stored), 32-bit
-// indices and textures are read in each pass; colours are written once, depths in each pass.
+// The bytes that must move at least between memory and processor for a frame. Vertices (their
+// tables as stored), 32-bit indices and textures are read once in each pass; colours are written
+// once in the frame, depths once in each pass.
 struct Traffic {
   double read_bytes = 0, written_bytes = 0;
 };

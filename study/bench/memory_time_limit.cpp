@@ -1,4 +1,4 @@
-#include "study/bench/floor.h"
+#include "study/bench/memory_time_limit.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,14 +22,15 @@ constexpr int kRuns = 7;
 
 using Clock = std::chrono::steady_clock;
 
-// When a thread began its work and finished it, by its own clock: the thread that waits for it may
-// notice the end late.
+// When a thread began and finished its work. The thread itself reads the clock, because the thread
+// that waits for it may notice the end late.
 struct Span {
   Clock::time_point begin, end;
 };
 
-// The seconds that `work` takes when it runs on this many threads at once; `work` gets the number
-// of its thread. The best of several runs, each measured from the first begin to the last end.
+// Returns the seconds that `work` takes if it runs on this many threads at once; `work` gets the
+// number of its thread. This is the least time of several runs; a run lasts from the begin of its
+// first thread to the end of its last one.
 double least_seconds(int threads, const std::function<void(int)>& work) {
   double least = 0;
   for (int run = 0; run < kRuns; ++run) {
