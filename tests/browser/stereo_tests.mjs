@@ -84,7 +84,7 @@ test("stereo: bars stand in the map's colours between lines of the budget, and t
     assert.ok(plain.every((colour) => scales.disparity.colours.includes(colour)));
     assert.deepEqual(lines, [[-disparity.budget_in_front_px, `−${disparity.budget_percent} %`], [disparity.budget_behind_px, `+${disparity.budget_percent} %`]]);
     for (const chart of [histogram, compromise]) assert.ok(await coloured(page, chart, bad) > 50, chart);
-    assert.deepEqual(await page.locator(compromise).evaluate((canvas) => Chart.getChart(canvas).scales.target.ticks.map(({value, label}) => [value, label])), [[0.03, "aimed at 0.03"]]);
+    assert.deepEqual(await page.locator(compromise).evaluate((canvas) => Chart.getChart(canvas).scales.target.ticks.map(({value, label}) => [value, label])), [[0.03, "target 0.03"]]);
     assert.deepEqual(problems, []);
     await close();
   }
