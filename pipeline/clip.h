@@ -122,7 +122,7 @@ struct ClipStep {
 };
 
 // Returns the part of a triangle inside all planes (at most kMaxClipPlanes): a convex polygon of 3
-// .. 3 + planes vertices in the triangle's order, beginning with its first corner that is kept, or
+// to 3 + planes vertices in the triangle's order, beginning with its first corner that is kept, or
 // an empty polygon. A vertex exactly on a plane is inside and is not repeated; vertices whose
 // positions are equal after rounding are merged (C-35). The result is empty where less than a
 // triangle remains, or where a position is not finite.

@@ -144,8 +144,8 @@ struct Chunk {
   UnsortedEntries unsorted;
   std::vector<BinRun> runs;
 
-  // The tiles x0 <= x < x1, y0 <= y < y1 have bins, row by row; bin i is entries[starts[i]] ..
-  // entries[starts[i + 1] - 1].
+  // The tiles x0 <= x < x1, y0 <= y < y1 have bins, row by row. The entries of bin
+  // i are entries[starts[i]] to entries[starts[i + 1] - 1].
   PixelRect tiles;
   std::vector<std::uint32_t> starts, entries;
 
