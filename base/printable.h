@@ -9,14 +9,14 @@
 
 namespace glassbox {
 
-// Whether a character is shown as it is. A terminal obeys control characters (U+0000 to U+001F,
-// U+007F to U+009F). The formatting characters that change the direction of writing (Unicode annex
-// 9, section 2) can make a name look like another one.
+// Whether a character is shown as it is. A terminal obeys control characters (C0 and C1). Line and
+// paragraph separators, and characters that change the direction of writing, can make a line of
+// text look like another one (Unicode technical report 36, 2.7).
 inline bool is_shown_as_itself(char32_t c) {
   const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
-  const bool direction = c == 0x061c || c == 0x200e || c == 0x200f ||  //
-                         (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
-  return !control && !direction;
+  const bool misleading = c == 0x061c || c == 0x200e || c == 0x200f ||  //
+                          (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+  return !control && !misleading;
 }
 
 // Returns the text with '?' for each character that is not shown as itself and for each byte that

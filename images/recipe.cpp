@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include <glassbox/base/printable.h>
 #include <glassbox/base/utf8.h>
 #include <glassbox/images/png_text.h>
 
@@ -63,14 +64,6 @@ std::optional<std::vector<std::string>> words_of(const std::string& text) {
   return words;
 }
 
-// Whether the character can make a line of text look like a different one: C0 and C1 controls, line
-// and paragraph separators, and characters that change the direction of writing (Unicode technical
-// report 36, 2.7).
-bool deceives(char32_t c) {
-  return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x061c || c == 0x200e || c == 0x200f ||
-         (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
-}
-
 bool needs_quotes(std::string_view word) {
   constexpr std::string_view kPlain = "_-./:,+@=";
   // zsh replaces a word with a leading = by the path of a program.
@@ -105,7 +98,7 @@ std::optional<Recipe> recipe_of(std::span<const TextEntry> text) {
 std::optional<std::string> shell_quoted(std::string_view word) {
   std::string_view rest = word;
   while (const auto character = take_character(rest)) {
-    if (deceives(*character)) return std::nullopt;
+    if (!is_shown_as_itself(*character)) return std::nullopt;
   }
   if (!rest.empty()) return std::nullopt;  // the rest is not UTF-8
   if (!needs_quotes(word)) return std::string(word);

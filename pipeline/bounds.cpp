@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/bounded.h>
 #include <glassbox/base/rounding.h>
 
 namespace glassbox {
@@ -14,12 +15,6 @@ constexpr double kU = unit_roundoff<float>;
 constexpr double kHalfSubnormal = 0x1p-150;
 constexpr double kRoundUp = 1 + 0x1p-40;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// The product, except that 0 times infinity is 0: an infinite error bound has no effect if the
-// number is multiplied by 0.
-double times(double a, double b) {
-  return a == 0 || b == 0 ? 0 : a * b;
-}
 
 // The rounding error of the float product a * b. It is exact, because the product of two floats
 // fits into a double.
@@ -32,7 +27,8 @@ double rounding_of_product(float a, float b) {
 glm::dvec4 magnitude(const glm::dmat4& m, const glm::dvec4& x) {
   glm::dvec4 sum(0);
   for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) sum[row] += std::abs(times(m[column][row], x[column]));
+    for (int row = 0; row < 4; ++row)
+      sum[row] += std::abs(bounded::times(m[column][row], x[column]));
   }
   return sum * kRoundUp;
 }
@@ -51,8 +47,8 @@ glm::dvec4 transform_bound(const glm::mat4& m, const glm::vec4& x, const glm::dv
         last = column;
         size += entry * coordinate;
       }
-      inherited += times(entry, x_bound[column]);
-      inherited += times(m_bound[column][row], coordinate + x_bound[column]);
+      inherited += bounded::times(entry, x_bound[column]);
+      inherited += bounded::times(m_bound[column][row], coordinate + x_bound[column]);
     }
     const double own = products == 1 ? rounding_of_product(m[last][row], x[last])
                                      : gamma<float>(products) * size + products * kHalfSubnormal;
@@ -79,9 +75,9 @@ glm::dmat4 product_bound(const glm::dmat4& a, const glm::dmat4& b, const glm::dm
       double size = 0, inherited = 0;
       for (int k = 0; k < 4; ++k) {
         const double left = std::abs(a[k][row]), right = std::abs(b[column][k]);
-        size += times(left, right);
-        inherited += times(left, b_bound[column][k]);
-        inherited += times(a_bound[k][row], right + b_bound[column][k]);
+        size += bounded::times(left, right);
+        inherited += bounded::times(left, b_bound[column][k]);
+        inherited += bounded::times(a_bound[k][row], right + b_bound[column][k]);
       }
       bound[column][row] = (gamma<double>(4) * size + inherited) * kRoundUp;
     }
@@ -100,8 +96,8 @@ DivideBound divide_bound(const Point<Clip>& clip, const glm::dvec4& clip_bound) 
   const auto bound = [&](double coordinate, double coordinate_bound) {
     if (coordinate == 0 && coordinate_bound == 0) return 0.0;
     const double quotient = std::abs(coordinate) / w;
-    return ((coordinate_bound + times(quotient, clip_bound.w)) / smallest_w + rounding * quotient +
-            underflow) *
+    return ((coordinate_bound + bounded::times(quotient, clip_bound.w)) / smallest_w +
+            rounding * quotient + underflow) *
            kRoundUp;
   };
   return {{bound(clip.x, clip_bound.x), bound(clip.y, clip_bound.y), bound(clip.z, clip_bound.z)},
@@ -127,7 +123,7 @@ glm::dvec3 screen_bound(const Point<Ndc>& ndc, const glm::dvec3& ndc_bound,
     const double scale_bound = std::abs(scale - (double(to) - double(from)) / 2);
     const double centre_bound = std::abs(centre - (double(to) + double(from)) / 2);
     const double x = std::abs(double(coordinate));
-    return (std::abs(scale) * coordinate_bound + times(scale_bound, x + coordinate_bound) +
+    return (std::abs(scale) * coordinate_bound + bounded::times(scale_bound, x + coordinate_bound) +
             centre_bound + 2 * kU * (std::abs(scale) * x * (1 + kU) + std::abs(centre)) +
             kHalfSubnormal) *
            kRoundUp;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/bounded.h>
 #include <glassbox/base/rounding.h>
 
 namespace glassbox {
@@ -15,10 +16,6 @@ constexpr double kRoundUp = 1 + 0x1p-40;
 // It is added for the weights only, which stay in double; positions are rounded to float.
 constexpr double kInDouble = 8 * unit_roundoff<double>;
 
-double times(double a, double b) {
-  return a == 0 || b == 0 ? 0 : a * b;
-}
-
 // The index of the coordinate that put_on_plane (clip.cpp) recomputes from the plane, or -1.
 int own_coordinate(const ClipPlane& plane) {
   const int coordinates = int(plane.a != 0) + int(plane.b != 0) + int(plane.c != 0);
@@ -30,8 +27,10 @@ int own_coordinate(const ClipPlane& plane) {
 }  // namespace
 
 double distance_bound(const ClipPlane& plane, const glm::dvec4& position_bound) {
-  return (times(std::abs(plane.a), position_bound.x) + times(std::abs(plane.b), position_bound.y) +
-          times(std::abs(plane.c), position_bound.z) + times(std::abs(plane.d), position_bound.w)) *
+  return (bounded::times(std::abs(plane.a), position_bound.x) +
+          bounded::times(std::abs(plane.b), position_bound.y) +
+          bounded::times(std::abs(plane.c), position_bound.z) +
+          bounded::times(std::abs(plane.d), position_bound.w)) *
          kRoundUp;
 }
 
@@ -48,7 +47,8 @@ ClipVertexBound crossing_bound(const ClipPlane& plane, const ClipVertex& p,
   if (!(least > 0)) return {glm::dvec4(kInfinity), glm::dvec3(kInfinity)};
   const double ds = (q_size * p_open + p_size * q_open) / (whole * least);
   const auto between = [&](double at_p, double p_off, double at_q, double q_off) {
-    return times(1 - s + ds, p_off) + times(s + ds, q_off) + ds * std::abs(at_q - at_p);
+    return bounded::times(1 - s + ds, p_off) + bounded::times(s + ds, q_off) +
+           ds * std::abs(at_q - at_p);
   };
 
   ClipVertexBound bound;
@@ -66,7 +66,7 @@ ClipVertexBound crossing_bound(const ClipPlane& plane, const ClipVertex& p,
     const double slope = std::abs(plane.d) / coefficient;
     const bool exact = plane.e == 0 && (slope == 0 || slope == 1);
     const double rounding = exact ? 0 : kU * std::abs(double(x[own])) + kHalfSubnormal;
-    bound.position[own] = (times(slope, bound.position.w) + rounding) * kRoundUp;
+    bound.position[own] = (bounded::times(slope, bound.position.w) + rounding) * kRoundUp;
   }
   for (int i = 0; i < 3; ++i) {
     const std::size_t k = std::size_t(i);

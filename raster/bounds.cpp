@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glassbox/base/bounded.h>
 #include <glassbox/base/rounding.h>
 
 namespace glassbox {
@@ -32,10 +33,6 @@ double inherited_share(double r) {
   return r < 1 ? 2 * r / (1 - r) : kInfinity;
 }
 
-double times(double a, double b) {
-  return a == 0 || b == 0 ? 0 : a * b;
-}
-
 }  // namespace
 
 FragmentBounds fragment_bounds(const TriangleSetup& setup, const Fragment& fragment,
@@ -49,9 +46,9 @@ FragmentBounds fragment_bounds(const TriangleSetup& setup, const Fragment& fragm
     const double weight = std::abs(double(fragment.weights[k]));
     bounds.lambda[k] = 4 * kU * lambda * kRoundUp;
     bounds.weights[k] =
-        (weight_roundings * kU * weight + times(weight, inherited_share(r))) * kRoundUp;
-    depth += times(lambda, vertices.depth[k]);
-    inverse_w += times(lambda, vertices.inverse_w[k]);
+        (weight_roundings * kU * weight + bounded::times(weight, inherited_share(r))) * kRoundUp;
+    depth += bounded::times(lambda, vertices.depth[k]);
+    inverse_w += bounded::times(lambda, vertices.inverse_w[k]);
   }
   bounds.depth = (8 * kU * std::abs(double(fragment.depth)) + depth) * kRoundUp;
   const double q = std::abs(double(fragment.inverse_w));
@@ -74,7 +71,8 @@ double attribute_bound(const std::array<float, 3>& values, const std::array<doub
     const double difference = double(values[k]) - double(values[0]);
     value += weight * difference;
     own += 13 * kU * weight * std::abs(difference);
-    inherited += times(weight, bounds[k]) + times(weight * std::abs(difference), share);
+    inherited +=
+        bounded::times(weight, bounds[k]) + bounded::times(weight * std::abs(difference), share);
   }
   return (own + kU * std::abs(value) + inherited) * kRoundUp;
 }

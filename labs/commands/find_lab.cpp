@@ -65,10 +65,11 @@ bool has_no_symlinks(const fs::path& place) {
   return true;
 }
 
-// Does what is needed for all kinds of labs: finds student.cpp and chooses where it is built.
-Result<LabFolder> make_lab_folder(const std::string& folder, const fs::path& place, bool own) {
+// Does what is needed for all kinds of labs: finds student.cpp and chooses where it is built: in
+// the folder if it can be, unless `builds_in_cache`.
+Result<LabFolder> make_lab_folder(const std::string& folder, const fs::path& place,
+                                  bool builds_in_cache) {
   LabFolder found;
-  found.own = own;
   found.student = place / "student.cpp";
   std::error_code error;
   if (!fs::is_regular_file(found.student, error))
@@ -77,7 +78,7 @@ Result<LabFolder> make_lab_folder(const std::string& folder, const fs::path& pla
   const bool writable = access(place.c_str(), W_OK) == 0;
   found.cache = cache_for(place);
   found.kits = cache() / "kits";
-  const bool there = !own && writable && has_no_symlinks(place);
+  const bool there = !builds_in_cache && writable && has_no_symlinks(place);
   found.build_dir = there ? place / "build" / "check" : found.cache;
   return found;
 }
@@ -138,7 +139,6 @@ Result<LabFolder> open_submission(const std::string& folder, const std::string& 
   auto found = make_lab_folder(folder, *place, true);
   if (!found) return found;
   found->lab = *lab;
-  found->own = false;
   return found;
 }
 

@@ -27,7 +27,6 @@ struct LabFolder {
   // Always in the user's cache, because they hold hidden checks or programs that are loaded:
   // `cache` belongs to this folder, `kits` is for all labs.
   std::filesystem::path cache, kits;
-  bool own = false;                    // whether this is the lab's own folder, with the solution
   std::filesystem::path outside = {};  // the lab's folder, if it is not one of the program's labs
 };
 

@@ -264,10 +264,6 @@ private:
   bool colors_left_ = false;  // the colours of all that is seen so far are already written
 };
 
-}  // namespace
-
-namespace {
-
 // Whether a chunk (some primitives of a draw) needs the framebuffer: the stages of the reference
 // write there, and blended draws need the colours that are there.
 bool draws_into_framebuffer(const TilePass& pass, std::span<const std::uint32_t> chunks) {

@@ -3,7 +3,10 @@
 #include <glassbox/base/random.h>
 #include <tests/support/catch.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace glassbox {
 namespace {
@@ -37,6 +40,20 @@ TEST_CASE("any bytes become valid UTF-8 that a terminal only shows") {
       CHECK(is_shown_as_itself(*character));
     }
   }
+}
+
+TEST_CASE("exactly controls, separators and marks of direction are not shown as themselves") {
+  // The ranges of Unicode technical report 36, 2.7, and of the C0 and C1 controls.
+  const std::pair<char32_t, char32_t> hidden[] = {{0, 0x1f},        {0x7f, 0x9f},
+                                                  {0x61c, 0x61c},   {0x200e, 0x200f},
+                                                  {0x2028, 0x202e}, {0x2066, 0x2069}};
+  std::vector<char32_t> wrong;
+  for (char32_t c = 0; c <= 0x10ffff; ++c) {
+    const bool is_hidden = std::ranges::any_of(
+        hidden, [c](const auto& range) { return c >= range.first && c <= range.second; });
+    if (is_shown_as_itself(c) == is_hidden) wrong.push_back(c);
+  }
+  CHECK(wrong == std::vector<char32_t>());
 }
 
 TEST_CASE("printable text is kept, and a long one is cut between two characters") {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "tests/images/temporary_directory.h"
@@ -110,6 +111,21 @@ TEST_CASE("PLY: faces may come before vertices, and have colours and coordinates
   CHECK(mesh.corners[1] == Corner{1, kNone, 1, 0});
   CHECK(mesh.corners[4] == Corner{1, kNone, kNone, 1});
   CHECK(mesh.colors[0] == Rgba{1, 0, decode_srgb(1), 1});
+}
+
+TEST_CASE("PLY: a face with wrong texture coordinates is counted once, however many are wrong") {
+  PlyBuilder b(PlyFormat::kLittleEndian);
+  b.element("vertex", 3).property("float", "x").property("float", "y").property("float", "z");
+  b.element("face", 3).list("uchar", "uint", "vertex_indices").list("uchar", "float", "texcoord");
+  b.begin_data();
+  b.floats({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  b.uchars({3}).uints({0, 1, 2}).uchars({6}).floats({nan, 0, 1, nan, 0, nan});
+  b.uchars({3}).uints({0, 1, 2}).uchars({6}).floats({0, 0, 1, 0, 0, 1});
+  b.uchars({3}).uints({0, 1, 2}).uchars({2}).floats({0, 0});
+  CHECK(loaded(b.file()).warnings ==
+        std::vector<std::string>{"2 faces have texture coordinates that are not finite or do not "
+                                 "fit their corners (first: face 0)"});
 }
 
 TEST_CASE("PLY: an alpha below 1 blends, and one of zero everywhere was set by nobody") {
