@@ -136,7 +136,8 @@ double cube_root(double x) {
   if (x == 0 || !std::isfinite(x)) return x;
   const double size = std::abs(x);
   // Subnormal numbers have a different layout of bits, and the largest numbers would overflow
-  // below, so the number is scaled by 2^54; the cube root of this factor is 2^18.
+  // below, so the number is multiplied or divided by 2^54. The cube root of this factor is 2^18, so
+  // both steps are exact.
   if (size < 0x1p-1022) return cube_root(x * 0x1p54) * 0x1p-18;
   if (size > 0x1p1020) return cube_root(x * 0x1p-54) * 0x1p18;
   constexpr std::uint64_t kTwoThirdsOfOne = 0x2a9f7893ull << 32;

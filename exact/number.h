@@ -1,7 +1,7 @@
 // Numbers for reference results: their arithmetic does not round, or rounds so little that it does
 // not matter.
 //
-//   Integer    128 bits, exact; throws on overflow      coordinates in subpixels
+//   Integer    128 bits, exact; throws on overflow      everything from snapped coordinates
 //   Rational   exact, of any size                       floats and doubles, + - * /
 //   Decimal    50 digits or more, correctly rounded     roots, angles; long products
 //

@@ -107,7 +107,7 @@ Result<NetpbmHeader> read_netpbm_header(Bytes bytes, const DecodeLimits& limits)
   // white space themselves.
   if (header.last.empty() || !is_space(character())) return bad_header();
   header.size = at + 1;
-  // A pixel takes at least one byte; sample_bytes_of checks the exact number.
+  // A pixel takes at least one byte; samples_of checks the exact number.
   const auto fits = check_image_size(header.width, header.height, bytes.size(), 1, limits);
   if (!fits) return tl::unexpected<Error>(fits.error());
   return header;

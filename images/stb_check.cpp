@@ -91,8 +91,7 @@ Result<void> check_jpeg(Bytes bytes) {
     const auto marker = unsigned(rest[1]);
     constexpr unsigned kEnd = 0xd9, kScan = 0xda, kTables = 0xc4;
     if (marker == kEnd) return {};
-    // These are markers without a length and restart markers in the wrong place, which stb refuses,
-    // too.
+    // Markers without a length and restart markers in the wrong place are refused, as by stb.
     const bool has_length = marker >= 0xc0 && marker != 0xff && !(marker >= 0xd0 && marker <= 0xd8);
     if (!has_length) return broken("a marker in the wrong place");
     if (rest.size() < 4) return cut_off("JPEG");

@@ -44,7 +44,7 @@ enum class MatrixShape {
   kIdentity,
   kTranslation,  // only a translation
   kRigid,        // rotation and translation; with `mirror`, a reflection
-  kSimilarity,   // rigid, with one scale for all directions
+  kSimilarity,   // like kRigid, but with one scale for all directions
   kScaled,       // rotation after a scale along the axes, R S: columns perpendicular
   kScaledAfter,  // scale after a rotation, S R: rows perpendicular, columns not
   kSheared,      // any other invertible affine map

@@ -19,9 +19,9 @@ std::optional<ProjectionAndView> factor_projection(const GivenMatrix& matrix);
 // over.
 GivenMatrix projection_part(const GivenMatrix& matrix);
 
-// Whether the 1 at [3][3] of a perspective matrix is left over from an identity matrix. It is if
+// Whether [3][3] of a perspective matrix is a 1 that is probably left over from an identity matrix:
 // the near and far planes are rounder without it than if the matrix is read as a projection times a
-// view that moves along z.
+// view that moves along z, or it cannot be read so.
 bool has_corner_left_over(const GivenMatrix& matrix);
 GivenMatrix without_corner(const GivenMatrix& matrix);
 

@@ -86,7 +86,7 @@ struct ProjectionFacts {
   const DepthReading* likely_range(int digits = 3) const&& = delete;
 
   // The whole angle of view that was probably meant, if the program took degrees for radians or
-  // radians for degrees. Only whole degrees, from 4 on.
+  // radians for degrees. Only whole degrees; degrees_taken_as_radians only from 4 on.
   std::optional<int> degrees_taken_as_radians, radians_taken_as_degrees;
   // The whole angle of view that was probably meant, if the window is twice as wide or twice as
   // high as for that angle (E13).

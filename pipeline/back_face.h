@@ -44,9 +44,10 @@ enum class Facing { kFront, kEdgeOn, kBack };
 
 struct BackFaceTest {
   Facing facing = Facing::kFront;  // exactly right for the given viewer
-  double value = 0;                // (P - eye) . m as computed (top of file); parallel: gaze . m
+  // (P - eye) . m as computed (top of file), in cubic object units; parallel: gaze . m.
+  double value = 0;
   double bound = 0;  // upper bound of the rounding error of `value` (docs/references.md, bound 7)
-  double viewer_error_bound = 0;  // how much the error of the viewer can change `value`
+  double viewer_error_bound = 0;  // upper bound of the error of `value` from the viewer's error
   bool used_exact = false;        // |value| <= bound: exact arithmetic (expansions) decided
 };
 

@@ -7,10 +7,10 @@
 // and studies pass the six planes of the frustum.
 //
 // The clipper is watertight by construction. The point where an edge A-B crosses a plane depends on
-// A and B alone, not on their order: it is (A |dB| + B |dA|) / (|dA| + |dB|) per coordinate in
-// double, where dA and dB are the distances of A and B from the plane, rounded once to float. Two
-// triangles that share an edge get the same bits for the crossing, for each plane in turn (C-38,
-// B.1).
+// A and B alone, not on their order. With the distances dA and dB of A and B from the plane, it is
+// (A |dB| + B |dA|) / (|dA| + |dB|) per coordinate, computed in double and rounded once to float.
+// Two triangles that share an edge get the same bits for the crossing, for each plane in turn
+// (C-38, B.1).
 #pragma once
 
 #include <array>

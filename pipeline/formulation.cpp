@@ -107,8 +107,8 @@ Result<View> make_view(const Camera& camera, int width, int height, DepthRange d
     view->clip_from_eye = *made;
   }
   if (formulation.view == ViewForm::kAxisAngle) {
-    // The axes are those of make_view, which has made them exactly perpendicular; the eye's
-    // position is the camera's own.
+    // The axes are those of make_view, which replaces a pose with few digits by the nearest
+    // rotation (kRigidTolerance); the eye's position is the camera's own.
     Transform<World, Eye> pose = camera.world_from_eye;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column)

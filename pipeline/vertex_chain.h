@@ -63,8 +63,9 @@ struct ScreenStep {
 struct VertexChain {
   glm::vec4 object{0, 0, 0, 1};
   TransformStep to_world, to_eye, to_clip;
-  Point<Clip> clip;                     // equal to to_clip.after
-  Point<Clip> clip_by_composed_matrix;  // by one matrix, composed in double as in `render`
+  Point<Clip> clip;  // equal to to_clip.after
+  // By one matrix, composed in double and rounded once, as in `render`.
+  Point<Clip> clip_by_composed_matrix;
   std::array<PlaneStep, 6> planes;
   VertexVerdict verdict = VertexVerdict::kVisible;
   // For kOutside: the plane that the vertex is furthest outside of, measured after the divide.

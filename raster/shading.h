@@ -21,14 +21,15 @@
 
 namespace glassbox {
 
-// An upper limit for the brightness of a light, so that no product of two such numbers overflows:
-// infinity times 0 is NaN, which would make the brightest places black.
+// An upper limit for amounts of light (a light's radiance, the factor for its distance), so that no
+// product of two such numbers overflows: infinity times 0 is NaN, which would make the brightest
+// places black.
 inline constexpr float kBrightest = 1e18f;
 
 struct EyeLight {
   LightKind kind = LightKind::kDirectional;
   std::array<float, 3> radiance{};  // colour * intensity / pi
-  Vector<Eye> towards;              // unit vector, for directional and spot lights
+  Vector<Eye> towards;              // unit vector to the light, for directional and spot lights
   Point<Eye> position;              // for point and spot lights
   float inverse_range = 0;          // 0: no limit
   float cone_scale = 0;             // spot: clamp(cosine * scale + offset, 0, 1)^2

@@ -112,7 +112,7 @@ private:
     rates_.window_frames = rates_.release_frames = limits_.release_frames;
     plan_.step_bound = limits_.max_step.value_or(largest_limit() / limits_.release_frames);
     // If all separations are 0, the bound would be 0 or NaN. Then there is no bound on the change
-    // per frame.
+    // per frame, and none either if release_frames is 0, because the quotient is then infinite.
     if (!(plan_.step_bound > 0)) plan_.step_bound = std::numeric_limits<double>::infinity();
     rates_.max_step = plan_.step_bound / 2;
   }

@@ -21,8 +21,8 @@ struct FrameRecord {
   int number = 1;
   double time = 0;
   std::string image;
-  // These members are set if there are two eyes. They are computed from the distances at the pixels
-  // of both pictures. in_front_px and behind_px are >= 0.
+  // These members are set if there are two eyes. All except `pair` are computed from the distances
+  // at the pixels of both pictures. in_front_px and behind_px are >= 0.
   StereoPair pair;
   std::optional<DepthSpan> seen;
   double in_front_px = 0, behind_px = 0;

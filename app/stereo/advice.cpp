@@ -62,8 +62,8 @@ std::optional<Eyes> eyes_for_same_window(const StereoFindings& found) {
   return same ? same : eyes_for(found, window);
 }
 
-// Eyes with the window at this distance, rounded down to three digits; unrounded if the camera
-// cannot have the rounded window.
+// Eyes with the window at this distance, rounded down to three digits; with the unrounded window if
+// eyes_for() finds none for the rounded one.
 std::optional<Eyes> eyes_before(const StereoFindings& found, double distance) {
   if (!(distance > 0) || std::isinf(distance)) return {};
   const auto rounded = eyes_for(found, rounded_down(distance));

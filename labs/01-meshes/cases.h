@@ -1,5 +1,5 @@
-// The inputs of lab 1's cases: the runner passes them to the student's functions, the judge to the
-// program's own.
+// The inputs of lab 1's test cases: for the runner, which calls the student's functions, and for
+// the checks, which compute the expected answers.
 #pragma once
 
 #include <array>

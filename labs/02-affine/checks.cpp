@@ -300,9 +300,9 @@ std::optional<Divergence> judge_rotation(const Map& given, const Answer& answer)
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) after[j][i] = (*values)[std::size_t(4 * i + j)];
   }
-  // The matrix R is repaired, `after`, by making its columns 1 long. Their components are then off
-  // by 3 u (the unit roundoff), so an entry of R^T R is off by 6 u from its factors and by 3 u from
-  // the rounding of its sum: 9 u and terms of second order, which is less than 16 u.
+  // R is the student's answer, `after`. If its columns were made 1 long, their components are off
+  // by 3 u (u: the unit roundoff), so an entry of R^T R is off by 6 u from its factors and by 3 u
+  // from the rounding of its sum: 9 u and terms of second order, which is less than 16 u.
   const double drift = orthogonality_error(before), error = orthogonality_error(after);
   found.actual = found.distance = error;
   found.bound = 16 * u;

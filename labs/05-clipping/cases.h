@@ -225,9 +225,9 @@ inline std::vector<Edge> other_edges() {
   return all;
 }
 
-// Edges whose crossing with the near plane is half-way between two floats, so that p + t (q - p),
-// computed in double and rounded once, differs from q + t (p - q). About one in three thousand such
-// edges has this property.
+// Edges whose crossing with the near plane is half-way between two floats, and where p + t (q - p),
+// computed in double and rounded once, gives different results from the two ends. About one in
+// three thousand edges with such a crossing gives different results.
 inline std::vector<EdgesCase> ties() {
   struct Tie {
     float p_z, q_z, p_x, q_x;

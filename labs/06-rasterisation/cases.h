@@ -1,5 +1,5 @@
-// The inputs of lab 6's cases: the runner passes them to the student's functions, the judge to the
-// pipeline's.
+// The inputs of lab 6's test cases: for the runner, which calls the student's functions, and for
+// the checks, which compute the expected answers.
 #pragma once
 
 #include <array>
@@ -253,8 +253,8 @@ inline std::vector<PolygonsCase> polygons() {
         {at(4, 0), at(0, 0), at(0, 4), at(1, 1)},
         {at(0, 0), at(2, 2), at(2, 0), at(0, 2)}}},
       // The fan from vertex 0 of the first polygon has a triangle with a doubled area of exactly
-      // 2^31, which needs more than 32 bits; in the fan from vertex 1 both doubled areas are
-      // smaller.
+      // 2^31, the smallest number that does not fit a signed integer of 32 bits; in the fan from
+      // vertex 1 both doubled areas are smaller.
       {"convex polygons larger than 2^31 steps squared, and one of the largest size, bent inwards",
        {{at(0, 0), at(256, 0), at(192, 128), at(0, 96)},
         {at(0, 0), at(0, 96), at(192, 128), at(256, 0)},

@@ -62,11 +62,11 @@ void add(const ExactPoint& p, std::vector<double>& numbers) {
   for (const Rational& x : p) numbers.push_back(double(x));
 }
 
-// The bound is 64 u (u = 2^-53 is the unit roundoff) times the largest coordinate, twice the error
-// of either method. De Casteljau's construction has six steps of three roundings, 18 u. Also, an
-// error of u in a parameter moves the point by up to 3 * 2 u of the largest coordinate, for each of
-// the two parameters: 30 u together. A sum with Bernstein polynomials, in powers of t, rounds 9
-// times for a weight and 3 times for the sum, and this twice, along u and along v: 24 u.
+// The bound is 64 u (u = 2^-53 is the unit roundoff) times the largest coordinate, more than twice
+// the error of either method. De Casteljau's construction has six steps of three roundings, 18 u.
+// Also, an error of u in a parameter moves the point by up to 3 * 2 u of the largest coordinate,
+// for each of the two parameters: 30 u together. A sum with Bernstein polynomials, in powers of t,
+// rounds 9 times for a weight and 3 times for the sum, and this twice, along u and along v: 24 u.
 double position_bound(const Patch& patch) {
   double largest = 0;
   for (const auto& row : patch.rows) {

@@ -182,7 +182,7 @@ std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,
     }
   }
   return coloured;
-  // STUB: return {};  // judge all voxels of a layer, then hide their pixels
+  // STUB: return {};  // judge a layer, then hide the pixels of its coloured voxels
   // END SOLUTION
 }
 

@@ -84,9 +84,9 @@ struct Case {
   // `expected`, and returns nothing if the answer is right.
   std::function<std::optional<Divergence>(const Answer&)> judge = nullptr;
   // What the answer would be with typical mistakes (slips) that cannot be recognised from the
-  // answer alone, such as a product in the other order. A wrong sign or order needs no entry: it is
-  // recognised (slips.h). A mistake is named only if every answer of the check is what the mistake
-  // leads to.
+  // answer alone, such as a product in the other order. Mistakes that slips.h recognises, such as a
+  // wrong sign, need no entry. A mistake is named only if every answer of the check is what the
+  // mistake leads to.
   std::vector<ExpectedWithSlip> slipped = {};
 };
 

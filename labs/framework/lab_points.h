@@ -1,4 +1,9 @@
-// How a lab's points are divided: points.json beside the lab, read at run time.
+// How a lab's points are divided: points.json beside the lab, read at run time (docs/labs.md shows
+// its entries).
+//
+// A task's points are divided among its checks according to their weights, and a check's points
+// equally among its cases, unless the check is all or nothing. The file contains no name of a
+// hidden check, because students have it too. Every entry may be left out.
 #pragma once
 
 #include <cstddef>

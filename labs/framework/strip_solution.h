@@ -29,8 +29,8 @@ struct Leak {
 };
 
 // Proves that nothing leaks, independently of strip_solution(): every line of the starter must be a
-// line of the solution outside the markers, or one of the stubs, and must not occur more often in
-// the starter than in the solution. Empty if nothing leaks.
+// line of the solution outside the markers, or one of the stubs, and must not occur more often than
+// among these lines. Empty if nothing leaks.
 std::vector<Leak> find_leaks(const std::string& solution, const std::string& starter);
 
 }  // namespace glassbox::labs

@@ -9,8 +9,8 @@
 
 namespace glassbox::labs {
 
-// The number from which additional inputs of hidden checks are made; 0 if only the lab's own inputs
-// are used. A runner gets it from its command line, a judge from set_inputs_seed().
+// The number from which the inputs of hidden checks are varied; 0 if only the lab's own inputs are
+// used. A runner gets it from its command line, a judge from set_inputs_seed().
 std::uint64_t inputs_seed();
 
 // The given `seed` if inputs_seed() is 0, otherwise one that depends on inputs_seed() (which

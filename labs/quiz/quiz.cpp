@@ -205,8 +205,8 @@ Quiz perspective_quiz() {
           return holds_for_all(directions(), [](const WorldVector& d) {
             if (d.z == 0) return true;
             const WorldPoint goal = project_to_picture({d.x, d.y, d.z});
-            // In the picture, the distance of a point from the vanishing point is inversely
-            // proportional to the point's distance from the eye.
+            // In the picture, the distance of a point on the line from the vanishing point is
+            // inversely proportional to the point's distance along the gaze.
             return holds_for_all(visible_points(), [&](const WorldPoint& p) {
               const auto from_goal = [&](double t) {
                 return without_depth(project_to_picture(p + d * t) - goal) * (-p.z - t * d.z);

@@ -66,9 +66,10 @@ public:
   }
 
 private:
-  // A scene may have kFreeElements in any case, and kElementsPerByte more for each byte of the
-  // file. Legal files share data: a hundred spheres with the same accessors make ten corners from
-  // each byte. An element of a mesh takes up to 48 bytes of memory, an instance eight.
+  // Within the limits of the caller, a scene may have kFreeElements, and kElementsPerByte more for
+  // each byte of the file. Legal files share data: a hundred spheres with the same accessors make
+  // ten corners from each byte. An element of a mesh takes up to 48 bytes of memory, an instance
+  // eight.
   static constexpr std::uint64_t kFreeElements = std::uint64_t(1) << 22;
   static constexpr std::uint64_t kElementsPerByte = 16;
   static constexpr std::uint64_t kFreeInstances = std::uint64_t(1) << 20;

@@ -148,8 +148,8 @@ private:
     }
     block.nearest = std::min(block.nearest, codes_.nearest);
     if (whole && fills(overlap)) block.farthest = std::min(block.farthest, codes_.farthest);
-    // Several triangles may cover the block together, though none of them covers it alone. So if
-    // this triangle was hidden everywhere, the farthest depth is computed from the pixels: the next
+    // Several triangles may cover the block together, though none of them covers it alone. So if no
+    // pixel of this triangle was written, the farthest depth is computed from the pixels: the next
     // triangles are likely to be hidden, too, and can then be skipped.
     if (counts_.written == written_before) {
       block.farthest = std::min(block.farthest, farthest_in(index));

@@ -31,8 +31,9 @@ public:
         stores_blocks_(job.distance == nullptr && job.id == nullptr && job.samples == nullptr &&
                        (!job.keep_picture || job.points.empty())) {}
 
-  // Whether the block is plain in all tiles, and shows the same triangle in each. (A triangle that
-  // covers all samples of a pixel covers its centre too, which is between the samples.)
+  // Whether the block is plain in all tiles, shows the same triangle in each, and may be stored as
+  // a whole. (A triangle that covers all samples of a pixel covers its centre too, which is between
+  // the samples.)
   HWY_INLINE bool is_plain(std::size_t block) const {
     const TileBlock& first = tiles_.front().block(block);
     return first.plain && stores_blocks_ &&
@@ -131,7 +132,9 @@ private:
   const TileRows& rows_;
   VisibleShader<Channels>& shader_;
   std::int32_t mask_;
-  bool stores_blocks_;  // whether only colours and depths have to be stored
+  // Whether plain blocks may be stored without reading what their pixels have in other images: not
+  // if distances, triangle numbers or samples are stored, or if samples are drawn over a picture.
+  bool stores_blocks_;
   Reference one_color_reference_ = kNothing;
   std::uint32_t one_color_ = 0;
 };

@@ -65,7 +65,8 @@ private:
   }
 };
 
-// For blocks that show many triangles: shade() does nothing, so their data is gathered for each
+// For blocks with no small triangles, with too many of them, or with triangles that cannot be
+// shared (SharedTriangles::can_share): shade() does nothing, so the data is gathered for each
 // sample.
 struct NoSharedTriangles {
   HWY_INLINE void shade(const ResolveJob&, Ints, Ints, Ints, IntMask&, Ints&) const {}

@@ -45,7 +45,7 @@ struct SmallSetups {
   // The triangle's part of the tile, for the point of each pixel that the tile stores.
   HWY_ALIGN Row<std::int32_t> x0, y0, x1, y1;  // in quads of the tile; x1, y1 are excluded
   HWY_ALIGN Row<std::int32_t> e1, e2;   // edge functions at the first pixel of the first quad
-  HWY_ALIGN Row<std::int32_t> is_tiny;  // its box is less than 5 x 5 pixels
+  HWY_ALIGN Row<std::int32_t> is_tiny;  // its box has at most 4 x 4 pixels
 
   // A mask of the quads that the triangle may cover, for boxes that touch at most 4 x 4 quads: bit
   // 4 y + x. `wide` marks the triangles with larger boxes: bit t for triangle t.

@@ -58,8 +58,8 @@ HWY_INLINE void list_triangle(TileBlock& block, BlockTriangles& list, Reference 
   block.listed = at;
 }
 
-// Adds triangle t of the batch to the block's list. A tiny triangle is not added, because few
-// pixels show it; instead the list is marked as too long.
+// Adds triangle t of the batch to the block's list. A tiny triangle (SmallSetups::is_tiny) is not
+// added; instead the list is marked as too long.
 HWY_INLINE void list_triangle(const SmallSetups& setups, std::size_t t, std::size_t block,
                               const TilePixels& pixels) {
   if (setups.is_tiny[t] != 0) {
@@ -320,7 +320,8 @@ HWY_INLINE void draw_small(const SmallJob& job, TriangleNumbers triangles, const
   TileBuffer& tile = tiles.front();
   with_code(tile.format(), [&](const auto& code_of) HWY_ATTR {
     // With an alpha test or samples, testing for the screen's edge costs little in comparison. So
-    // one loop is used for tiles within the screen and at its edge; only opaque draws have two.
+    // one loop is used for tiles within the screen and at its edge; only opaque draws with one
+    // point per pixel have two.
     if constexpr (Alpha::kKeepsAll) {
       if (tiles.size() > 1) return draw_all(job, triangles, code_of, tiles, own);
       if (!tile.is_partly_off_screen()) {

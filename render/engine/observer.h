@@ -38,7 +38,7 @@ struct FragmentSource {
   // For a triangle or its edge, the triangle's number in the whole scene; for a line or a point, an
   // index into its mesh's lines or points.
   std::uint32_t number = 0;
-  // Index in the fan of triangles that clipping left; 0 for lines and points.
+  // Index in the fan of triangles that clipping left; 0 for edges, lines and points.
   std::uint32_t piece = 0;
   bool is_triangle = true;
   LineKind line = LineKind::kEdge;  // used only if it is not a triangle

@@ -15,8 +15,8 @@ struct Statistics {
   std::uint64_t lines = 0;  // wireframe edges are not counted here
   std::uint64_t points = 0;
 
-  // Clusters (64 triangles each) that were tested, and how many of them were outside the view or
-  // turned away (render/plan/cluster_cull.h).
+  // Clusters (of up to 64 triangles) that were tested, and how many of them were outside the view
+  // or turned away (render/plan/cluster_cull.h).
   std::uint64_t clusters = 0, clusters_outside = 0, clusters_turned_away = 0;
   // Triangles of clusters outside or turned away; also in left_out.
   std::uint64_t left_out_in_clusters = 0;

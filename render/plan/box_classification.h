@@ -29,7 +29,8 @@ struct BoxClassification {
 inline constexpr double kOutsideMarginPx = 2;
 
 // Returns the edges of the picture, moved outwards by `margin_px`, as clip planes. A point in front
-// of the eye is further outside a picture of W pixels if |x| > (1 + 2 margin_px / W) w.
+// of the eye is more than `margin_px` outside a picture that is W pixels wide if
+// |x| > (1 + 2 margin_px / W) w.
 std::array<ClipPlane, 4> picture_edges(const Viewport& viewport, double margin_px);
 
 // Classifies the box of a draw. The rounding of the vertices is taken into account (PlaneOverBoxes

@@ -8,10 +8,10 @@
 
 namespace glassbox {
 
-// Whether two opaque draws may be exchanged: their ranges of depth codes do not overlap, so the
-// nearer draw wins every pixel that both cover, in either order. (If both had fragments with the
-// same code, the one that is drawn first would win, so draws whose ranges overlap keep their
-// order.)
+// Whether the later of two opaque draws may be drawn before the earlier one because it is nearer:
+// all its depth codes are smaller, so it wins every pixel that both cover, in either order. (If
+// both had fragments with the same code, the one that is drawn first would win, so draws whose
+// ranges of codes overlap keep their order.)
 inline bool may_overtake(const DepthCodes& later, const DepthCodes& earlier) {
   return later.farthest < earlier.nearest;
 }

@@ -133,8 +133,8 @@ void unify_plans(std::span<Plan> plans) {
   }
 }
 
-// Sorts the draws front to back. The order suits both eyes of a pair, because their z and w are
-// equal.
+// Moves nearer draws before farther ones; draws into the framebuffer keep their place. The order is
+// the same for both eyes of a pair, because their z and w are equal.
 void order_draws(Plan& plan) {
   plan.order.reserve(plan.methods.size());
   for (std::uint32_t i = 0; i < plan.methods.size(); ++i) {

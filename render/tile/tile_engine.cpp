@@ -257,7 +257,7 @@ void list_large_triangles(DrawRound& round) {
   }
 }
 
-// Lists for each tile the chunks (each has some triangles of one draw) that have something in it:
+// Lists for each tile the chunks (each has some primitives of one slot) that have something in it:
 // in a scene of many draws these are only a few.
 void list_chunks_of_tiles(const TileRun& run, DrawRound& round) {
   for (std::vector<std::uint32_t>& chunks : round.chunks_of_tile) chunks.clear();

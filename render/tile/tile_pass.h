@@ -24,8 +24,9 @@ struct TilePass {
   // Even if resolve.keep_picture is set, a tile may overwrite all its pixels if none of its draws
   // needs the framebuffer.
   bool overwrite_untouched = false;
-  // Whether a tile's depths are read from target.depth before drawing and stored there afterwards:
-  // if the draws are drawn in several rounds, or depth is wanted.
+  // Whether a tile's depths are read from target.depth before drawing (in rounds after the first),
+  // and whether they are stored there afterwards (if there are several rounds, or if depth is
+  // wanted). While staged primitives are drawn, depths are there in any case.
   bool load_depth = false, store_depth = false;
   const Image<std::uint32_t>* behind_depth = nullptr;  // see EyePicture::behind_depth
 };

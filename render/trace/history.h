@@ -79,8 +79,9 @@ struct PixelHistory {
   int x = 0, y = 0;
   Rgba8 cleared;  // what the pixel held at the beginning
   std::vector<PixelEvent> events;
-  std::vector<PixelMiss> misses;     // the nearest first
-  std::uint32_t without_area = 0;    // triangles without area whose box reaches into the pixel
+  std::vector<PixelMiss> misses;  // the nearest first
+  // Triangles whose box reaches into the pixel, and which have no area after snapping.
+  std::uint32_t without_area = 0;
   std::optional<std::size_t> shows;  // the last event that is still visible; none: the background
   Rgba8 shown;                       // the picture's pixel
   // False if the picture is replaced at the end according to RenderSettings::show (depth, numbers,

@@ -44,7 +44,7 @@ public:
 
 private:
   // The bin of a bound is given by the exponent and 4 bits of the mantissa of its value as a float,
-  // so the bins are 1/16 wide, relative to their value.
+  // so a bin is at most 1/16 wide, relative to its value.
   static constexpr int kShift = 19;
   std::vector<std::uint64_t> bins_ = std::vector<std::uint64_t>(std::size_t(1) << (31 - kShift));
   std::uint64_t count_ = 0, unbounded_ = 0;
@@ -58,7 +58,7 @@ struct PictureErrors {
   // that clipping made, which may be thousands of pixels outside the picture.
   BoundSummary screen, snapped, cut;
   // For fragments: the error of NDC depth as the buffer stores it; and for perspective views the
-  // same error as a fraction of the distance along the gaze.
+  // error of the distance along the gaze that follows from it, as a fraction of the distance.
   BoundSummary depth, distance;
   // For fragments that passed the depth test: texture coordinates in texels of level 0, the larger
   // of both axes; and the length of the normal's error over the length of the normal, if there is a

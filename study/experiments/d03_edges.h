@@ -98,8 +98,8 @@ T plane(const EdgeSample& s) {
 }
 // Returns (E - bias)/256, rounded down, from its value at the corner of the tile that contains the
 // pixel. E is the edge function; bias is 1 if points on the edge belong to the neighbour, otherwise
-// 0. The result has the same sign as E - bias. In a tile of 64 px next to the edge it is less than
-// 2 * 2^23 * 2^6 = 2^30, so 32 bits are enough.
+// 0. The result is >= 0 if and only if E - bias is >= 0. In a tile of 64 px next to the edge it is
+// less than 2 * 2^23 * 2^6 = 2^30, so 32 bits are enough.
 inline std::int32_t int32_tile(const EdgeSample& s) {
   const std::int32_t tile = kEdgeTile * kSubpixels;
   const std::int32_t column = s.x % tile / kSubpixels, row = s.y % tile / kSubpixels;

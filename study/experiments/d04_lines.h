@@ -38,9 +38,9 @@ inline double largest_ratio(const Lines& lines) {
   return largest;
 }
 
-// Lines across a wall. The texture coordinate u covers 256 texels along 256 pixels, one texel per
-// pixel on average, from a random offset of the wall on; w grows `ratio`-fold from one end of the
-// line to the other.
+// Lines across a wall. The texture coordinate u runs from 0 to a random end between 255 and 256
+// texels along 256 pixels, about one texel per pixel on average; w grows `ratio`-fold from one end
+// of the line, where it is random between 1 and 2, to the other.
 inline Lines wall(double ratio, int count) {
   Random random(5);
   Lines lines;

@@ -110,7 +110,7 @@ inline void keep_all(const Surface& surface, KeepFlags& keep) {
 }
 
 // The test of the slides (S4.29) in float: rejects a triangle if its normal, from a cross product,
-// and the direction from the eye to any of its vertices have a positive product.
+// and the direction from the eye to one of its vertices have a positive product.
 inline void keep_by_dot(const Surface& surface, KeepFlags& keep) {
   const auto& e = surface.viewer.eye_or_gaze;
   const Point<Object> eye(float(e.x), float(e.y), float(e.z));

@@ -42,7 +42,8 @@ inline double hit_ball(const Vector3d& p, const Vector3d& d) {
 }
 
 // The smallest t > 0 at which the line p + t d meets one of some upright rods, which are around the
-// ball and extend from its middle to above it; negative if there is none.
+// ball and extend from half a radius below its middle to the height of its top; negative if there
+// is none.
 inline double hit_rods(const Vector3d& p, const Vector3d& d) {
   double nearest = -1;
   for (int i = 0; i < 6; ++i) {

@@ -87,7 +87,8 @@ inline SplatPicture splat(const views::LayeredImage& image, const views::LayerCa
 // ---- merging ----
 
 // Merges while the list of a pixel is built: each new depth is merged with the first one in the
-// list that is within epsilon of it. The result depends on the order in which the depths arrive.
+// list whose relative difference from it is at most epsilon. The result depends on the order in
+// which the depths arrive.
 inline std::vector<float> merged_as_they_come(const std::vector<float>& depths, double epsilon) {
   std::vector<float> kept;
   for (const float depth : depths) {

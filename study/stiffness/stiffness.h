@@ -38,7 +38,7 @@ struct ConditionNumber {
   std::string advice;
 
   // Whether the bound is larger than a pixel of the picture, or than a texel, so that the error may
-  // be visible; false if no depth test is in doubt.
+  // be visible; for depth, false if no depth test is in doubt.
   bool is_above_limit() const {
     if (tests_in_doubt == 0) return false;
     return !(pixels.value_or(unit == "texels" ? bound : 0) <= 1);

@@ -24,7 +24,7 @@ enum class GlyphRule {
   kOthers,      // few of its pixels have the colour of a prototype other than its three
   kAreas,       // the three colours fill the fractions of the area that the discs have
   kCentroids,   // the centres of gravity of the three colours are at one place
-  kSpread,      // the pixels' mean distance from the centre grows clearly from band to band
+  kSpread,      // from the inner to the outer band, the pixels' spread grows clearly
   kRanks,       // from the inner to the outer band, the number of pixels grows
   kSheet,       // the glyph with this code is on the wall
 };

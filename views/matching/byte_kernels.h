@@ -13,7 +13,7 @@ namespace glassbox::views {
 // A census word has four bytes. Each byte is stored in a plane of its own (a plane of all first
 // bytes, a plane of all second bytes ...), so that the bits of 32 words can be counted at once.
 inline constexpr int kCensusBytes = 4;
-inline constexpr int kByteLanes = 32;  // bytes in a vector of the widest instruction set
+inline constexpr int kByteLanes = 32;  // bytes in the largest vector that is used
 template <class Byte>
 using CensusPointers = std::array<Byte*, kCensusBytes>;
 

@@ -16,7 +16,7 @@ namespace {
 
 // A differing bit of two census words costs 1. Words of unrelated pixels differ in 16 of 32 bits on
 // average, with a standard deviation of about 3, so differences of more than 24 bits need not be
-// told apart. The penalties are those of the other sweeps, where a bit costs 16, divided by 16.
+// told apart. The penalties are about 1/16 of those of the other sweeps, where a bit costs 16.
 constexpr int kMostBits = 24;
 constexpr Penalties kPenalties{.p1 = 6, .p2 = 60, .p2_least = 12, .half_at = 10};
 constexpr int kPaths = 3;

@@ -12,7 +12,7 @@ constexpr double kFocal = 32, kNear = 1e-3;
 
 // How the second eye moves: `ahead` units along the gaze (backwards if negative), in the direction
 // in which the first eye sees pixel (x, y), counted from the middle pixel. If `ahead` is 0, it
-// moves sideways, so that samples of closeness n shift by n x and n y pixels.
+// moves sideways, so that samples of closeness n shift by -n x and -n y pixels.
 struct Move {
   double ahead;
   int x, y;
@@ -42,7 +42,7 @@ struct Lattice {
 // The place along one axis at which the second eye sees the sample of pixel k (counted from the
 // middle) with closeness n, where e is the epipole on this axis; nothing if the place is not a
 // pixel centre. If the eye moves ahead, the distance from the epipole is multiplied by n + 1; if it
-// moves back, divided by n + 1; if it moves sideways, the place shifts by n e.
+// moves back, divided by n + 1; if it moves sideways, the place shifts by -n e.
 std::optional<int> moved(const Move& move, int k, int e, int n) {
   if (move.ahead > 0) return (n + 1) * k - e * n;
   if (move.ahead == 0) return k - n * e;
