@@ -41,14 +41,14 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
 // letters, and at most two.
 inline std::optional<std::string> closest_word(std::string_view typed,
                                                const std::vector<std::string>& words) {
-  constexpr std::size_t kMostEdits = 2, kLongestWord = 64, kMinPrefixLength = 3;
+  constexpr std::size_t kMaxEdits = 2, kLongestWord = 64, kMinPrefixLength = 3;
   if (typed.size() > kLongestWord) return std::nullopt;
   const auto begins = [typed](std::string_view word) { return word.starts_with(typed); };
   if (typed.size() >= kMinPrefixLength && std::ranges::count_if(words, begins) == 1) {
     return *std::ranges::find_if(words, begins);
   }
   std::optional<std::string> nearest;
-  std::size_t fewest = kMostEdits + 1;
+  std::size_t fewest = kMaxEdits + 1;
   for (const std::string& word : words) {
     const std::size_t edits = edit_distance(typed, word);
     if (edits >= fewest || 3 * edits > word.size()) continue;

@@ -66,9 +66,9 @@ private:
 
 // Writes all bytes. Returns 0 or the error number.
 int write_all(int fd, std::span<const std::byte> bytes) {
-  constexpr std::size_t kMostAtOnce = std::size_t(1) << 30;  // Linux writes less than 2 GiB a call
+  constexpr std::size_t kMaxAtOnce = std::size_t(1) << 30;  // Linux writes less than 2 GiB a call
   while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), std::min(bytes.size(), kMostAtOnce));
+    const ssize_t written = ::write(fd, bytes.data(), std::min(bytes.size(), kMaxAtOnce));
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return errno;
     if (written == 0) return ENOSPC;

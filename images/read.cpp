@@ -41,8 +41,8 @@ Result<Image<Rgba8>> decode_bytes(std::span<const std::byte> bytes, const Decode
 // three floats; a sixteenth more and one MiB leave room for headers, filter bytes, text, and the
 // bytes by which deflate makes noise longer.
 std::uint64_t longest_file(const DecodeLimits& limits) {
-  constexpr std::uint64_t kMostPixels = std::uint64_t(1) << 32;  // keeps the product small
-  const std::uint64_t samples = std::min(limits.max_pixels, kMostPixels) * sizeof(Rgb32f);
+  constexpr std::uint64_t kMaxPixels = std::uint64_t(1) << 32;  // keeps the product small
+  const std::uint64_t samples = std::min(limits.max_pixels, kMaxPixels) * sizeof(Rgb32f);
   return samples + samples / 16 + (std::uint64_t(1) << 20);
 }
 

@@ -22,12 +22,12 @@ tl::unexpected<Error> cut_off(const char* format) {
 // has more than 256 codes (github.com/nothings/stb, issue 1289).
 bool has_sound_tables(Bytes segment) {
   // A table has a head (a byte with its kind and number, then 16 counts) and at most 256 codes.
-  constexpr std::size_t kHeadBytes = 17, kMostCodes = 256;
+  constexpr std::size_t kHeadBytes = 17, kMaxCodes = 256;
   while (!segment.empty()) {
     if (segment.size() < kHeadBytes) return false;
     std::size_t codes = 0;
     for (const std::byte count : segment.subspan(1, 16)) codes += std::size_t(count);
-    if (codes > kMostCodes || segment.size() - kHeadBytes < codes) return false;
+    if (codes > kMaxCodes || segment.size() - kHeadBytes < codes) return false;
     segment = segment.subspan(kHeadBytes + codes);
   }
   return true;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/mesh/normals.h>
 #include <glassbox/mesh/topology.h>
 #include <glassbox/mesh/triangulate.h>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <glassbox/base/trig.h>
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/axis_angle.h>
 #include <glassbox/pipeline/look_at.h>

@@ -21,7 +21,7 @@ constexpr double kRoundUp = 1 + 0x1p-40;
 // ---- which texels ----
 
 // If the error of a coordinate is this many texels or more, any texel value is taken as possible.
-constexpr double kMostTexels = 8;
+constexpr double kMaxTexels = 8;
 
 std::int64_t remainder_of(std::int64_t i, std::int64_t period) {
   const std::int64_t rest = i % period;
@@ -92,7 +92,7 @@ public:
     const Side across = side(sampler_.wrap_u, texcoord_[0], level.width, filter);
     const Side down = side(sampler_.wrap_v, texcoord_[1], level.height, filter);
     coarsest_ = std::max(coarsest_, k);
-    if (!(across.off < kMostTexels && down.off < kMostTexels)) {
+    if (!(across.off < kMaxTexels && down.off < kMaxTexels)) {
       may_choose_ = all_reachable_ = true;
       return;
     }
@@ -123,7 +123,7 @@ private:
 
   static Side side(Wrap wrap, const Bounded& t, std::int32_t size, Filter filter) {
     const double off = double(size) * (t.bound + 3 * 0x1p-23) * kRoundUp;
-    if (!(off < kMostTexels)) return {0, 0, off};
+    if (!(off < kMaxTexels)) return {0, 0, off};
     const bool linear = filter == Filter::kLinear;
     const double x = wrapped_coordinate(wrap, double(t.value)) * size - (linear ? 0.5 : 0);
     return {std::int64_t(std::floor(x - off)), std::int64_t(std::floor(x + off)) + linear, off};

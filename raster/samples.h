@@ -20,7 +20,7 @@
 
 namespace glassbox {
 
-inline constexpr int kMostSamples = 16;
+inline constexpr int kMaxSamples = 16;
 
 constexpr bool is_sample_count(int count) {
   return count == 1 || count == 2 || count == 4 || count == 8 || count == 16;
@@ -89,7 +89,7 @@ struct SampleSteps {
   }
 
   int count;
-  std::array<std::array<std::int64_t, 3>, kMostSamples> add{};
+  std::array<std::array<std::int64_t, 3>, kMaxSamples> add{};
   std::array<std::int64_t, 3> most{};  // for each edge, the largest of `add` and 0
 };
 

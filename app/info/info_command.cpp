@@ -19,7 +19,7 @@
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/mesh/check.h>
 #include <glassbox/mesh/formats/load.h>
 #include <glassbox/mesh/formats/load_memory.h>

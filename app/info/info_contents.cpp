@@ -115,10 +115,10 @@ std::string contents_text(const GltfContents& contents) {
 namespace {
 
 // Larger scenes are not checked, because the check takes about four microseconds per triangle.
-constexpr std::uint64_t kMostTriangles = 200'000;
+constexpr std::uint64_t kMaxTriangles = 200'000;
 // The check is also left out if the triangles' bounding boxes have more pixels together: it takes
 // about half a microsecond per fragment, and up to half of a bounding box's pixels are fragments.
-constexpr double kMostBoxPixels = 1 << 25;
+constexpr double kMaxBoxPixels = 1 << 25;
 
 // The number of the picture's pixels in a triangle's bounding box; all pixels if a corner is not in
 // front of the eye.
@@ -158,12 +158,12 @@ std::vector<std::string> not_asked(const std::string& because) {
 
 std::vector<std::string> numerical_warnings(const Scene& scene) {
   const std::uint64_t triangles = count_triangles(scene);
-  if (triangles > kMostTriangles)
+  if (triangles > kMaxTriangles)
     return not_asked(fmt::format("the scene has {} triangles", triangles));
   const PictureOptions usual;
   const Result<ChosenView> chosen = choose_view(scene, usual);
   if (!chosen) return {};
-  if (!(box_pixels(scene, chosen->view) <= kMostBoxPixels))
+  if (!(box_pixels(scene, chosen->view) <= kMaxBoxPixels))
     return not_asked("its triangles cover each other too often");
   return study::stiffness_warnings(scene, study::stiffness_of(scene, chosen->view, usual.settings,
                                                               study::up_of(scene, usual.camera)));

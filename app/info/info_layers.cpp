@@ -41,11 +41,11 @@ std::vector<std::size_t> pixels_by_samples(const views::LayeredImage& image) {
 }
 
 std::string depth_text(const std::vector<std::size_t>& by_samples) {
-  constexpr std::size_t kMostShown = 10;
+  constexpr std::size_t kMaxShown = 10;
   std::string text;
-  for (std::size_t i = 0; i < std::min(by_samples.size(), kMostShown); ++i)
+  for (std::size_t i = 0; i < std::min(by_samples.size(), kMaxShown); ++i)
     text += fmt::format("{}{} with {}", i == 0 ? "" : ", ", by_samples[i], i + 1);
-  if (by_samples.size() > kMostShown) text += ", ...";
+  if (by_samples.size() > kMaxShown) text += ", ...";
   return text;
 }
 

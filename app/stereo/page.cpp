@@ -103,12 +103,12 @@ Result<Json> pictures_of(const StereoFindings& found) {
 }  // namespace
 
 Result<void> check_page_size(int width, int height) {
-  constexpr std::int64_t kMostPixels = std::int64_t(1) << 23;  // 3840 x 2160 fits
-  if (std::int64_t(width) * height <= kMostPixels) return {};
+  constexpr std::int64_t kMaxPixels = std::int64_t(1) << 23;  // 3840 x 2160 fits
+  if (std::int64_t(width) * height <= kMaxPixels) return {};
   return fail(
       "--html",
       fmt::format("a page of pictures of {} x {} would be too large for a browser", width, height),
-      fmt::format("give a --size of at most {} pixels, 3840x2160 for example", kMostPixels));
+      fmt::format("give a --size of at most {} pixels, 3840x2160 for example", kMaxPixels));
 }
 
 Result<std::string> make_stereo_page(const StereoFindings& found, const Json& report,

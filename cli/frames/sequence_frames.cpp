@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <glassbox/base/trig.h>
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/number_text.h>
 

@@ -9,7 +9,7 @@
 #include "cli/options/choices.h"
 
 #include <glassbox/base/trig.h>
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/look_at.h>

@@ -34,9 +34,9 @@ std::string names_of(const std::vector<Target>& targets, const char* separator) 
 
 int parse_threads(const std::string& text) {
   const double threads = parse_number("--threads", text);
-  if (!(threads >= 1 && threads <= kMostThreads) || threads != std::floor(threads)) {
+  if (!(threads >= 1 && threads <= kMaxThreads) || threads != std::floor(threads)) {
     throw CLI::ValidationError(
-        "--threads", fmt::format("needs a whole number from 1 to {}, not '{}'", kMostThreads,
+        "--threads", fmt::format("needs a whole number from 1 to {}, not '{}'", kMaxThreads,
                                  printable(text, kLongWord)));
   }
   return int(threads);

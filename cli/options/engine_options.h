@@ -17,7 +17,7 @@
 namespace glassbox {
 
 // More threads than any machine has; a larger number is probably a typing error.
-inline constexpr int kMostThreads = 1024;
+inline constexpr int kMaxThreads = 1024;
 
 struct EngineOptions {
   EngineKind engine = EngineKind::kTile;

@@ -8,7 +8,7 @@
 #include "cli/options/arguments.h"
 #include "cli/options/choices.h"
 
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/pipeline/stereo/parallax_budget.h>
 #include <glassbox/render/visible_depth_span.h>
 

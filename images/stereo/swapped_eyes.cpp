@@ -14,9 +14,9 @@ constexpr int kRadius = 3;                                      // px, of a wind
 constexpr int kWindow = (2 * kRadius + 1) * (2 * kRadius + 1);  // pixels
 constexpr int kStep = 2;                                        // px, from one window to the next
 // The standard deviation from which a window counts as texture, in thousandths of a byte.
-constexpr double kLeastDeviation = 2000;
+constexpr double kMinDeviation = 2000;
 constexpr double kClearlyBetter = 0.1;
-constexpr std::uint64_t kLeastVotes = 32;
+constexpr std::uint64_t kMinVotes = 32;
 
 // The luma of one eye, from the channels that its picture uses, in thousandths of a byte.
 using Plane = Image<int>;
@@ -53,7 +53,7 @@ Fit fit(const Plane& a, int ax, const Plane& b, int bx, int y) {
   }
   const double spread_a = double(kWindow * sum_aa - sum_a * sum_a);
   const double spread_b = double(kWindow * sum_bb - sum_b * sum_b);
-  const double least = kLeastDeviation * kWindow;
+  const double least = kMinDeviation * kWindow;
   if (spread_a < least * least || spread_b < least * least) return {};
   return {true, double(kWindow * sum_ab - sum_a * sum_b) / std::sqrt(spread_a * spread_b)};
 }
@@ -91,7 +91,7 @@ OrderEvidence collect_order_evidence(const Planes& eyes, const Image<float>& dis
     evidence.swapped_fit /= double(evidence.windows);
   }
   const std::uint64_t votes = evidence.in_order + evidence.swapped;
-  if (votes >= kLeastVotes) {
+  if (votes >= kMinVotes) {
     if (3 * evidence.in_order >= 2 * votes) evidence.order = EyeOrder::kInOrder;
     if (3 * evidence.swapped >= 2 * votes) evidence.order = EyeOrder::kSwapped;
   }

@@ -20,7 +20,7 @@ namespace lab_04_drawing {
 
 constexpr double u = unit_roundoff<double>;
 // the largest coordinate that the snap can handle, in pixels from the picture's corner
-constexpr float kMostPixels = 32767;
+constexpr float kMaxPixels = 32767;
 
 double largest(std::span<const double> numbers) {
   double most = 0;
@@ -156,8 +156,8 @@ public:
   void mapped_to_screen(const NdcVertex&, ScreenVertex& screen) override {
     if (gathering_ || vertex_ >= count_) return;
     place(screens_, screen.position);
-    screen.position.x = std::clamp(screen.position.x, -kMostPixels, kMostPixels);
-    screen.position.y = std::clamp(screen.position.y, -kMostPixels, kMostPixels);
+    screen.position.x = std::clamp(screen.position.x, -kMaxPixels, kMaxPixels);
+    screen.position.y = std::clamp(screen.position.y, -kMaxPixels, kMaxPixels);
     ++vertex_;
   }
 

@@ -93,7 +93,7 @@ Result<double> largest_clip_error(const Ask& ask, double size) {
   std::size_t at = 0;
   for (std::size_t triangle = 0; triangle < kTriangles; ++triangle) {
     const double count = number_of(answer, at++);
-    if (!(count >= 0 && count <= double(kMostVertices))) return number_of({}, 0);
+    if (!(count >= 0 && count <= double(kMaxVertices))) return number_of({}, 0);
     const auto vertex = [&](int i) {
       const auto number = [&](std::size_t k) {
         return float(number_of(answer, at + 4 * std::size_t(i) + k));

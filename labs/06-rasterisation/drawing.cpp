@@ -25,7 +25,7 @@ constexpr std::size_t kFirstTile =
     4;  // numbers of a "cover" answer before the tiles: the area and the owned edges
 constexpr std::size_t kPixelNumbers = 5;  // x, y, and three edge functions
 // the largest coordinate in steps of 1/256 pixel, so that no product needs more than 64 bits
-constexpr double kMostSteps = 1 << 23;
+constexpr double kMaxSteps = 1 << 23;
 
 // ---- the reference ----
 
@@ -302,7 +302,7 @@ public:
 
 private:
   static std::int32_t steps(const Numbers& answer, std::size_t i) {
-    return i < answer.size() ? std::int32_t(std::clamp(answer[i], -kMostSteps, kMostSteps)) : 0;
+    return i < answer.size() ? std::int32_t(std::clamp(answer[i], -kMaxSteps, kMaxSteps)) : 0;
   }
 
   // Adds a pixel of an answer. One outside the picture is wrong, and cannot be drawn.

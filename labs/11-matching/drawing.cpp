@@ -21,7 +21,7 @@ using lab_11::kNone;
 using lab_11::Picture;
 
 constexpr int kLargestSide = 128;  // of the pictures of the pair, in px
-constexpr int kMostDisparities = 48;
+constexpr int kMaxDisparities = 48;
 constexpr int kReach = 2;                   // how many rows above and below a cost uses
 constexpr double kStep = 120, kJump = 700;  // P1 and P2 of along_path()
 constexpr double kTolerance = 1;            // px
@@ -187,7 +187,7 @@ Result<Pair> rendered(const DrawingInput& input) {
   for (const float d : made->truth.disparity.pixels) {
     if (std::isfinite(d)) nearest = std::max(nearest, double(d));
   }
-  pair.disparities = std::min(int(nearest) + 3, kMostDisparities);
+  pair.disparities = std::min(int(nearest) + 3, kMaxDisparities);
   return pair;
 }
 

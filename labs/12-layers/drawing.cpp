@@ -22,7 +22,7 @@ namespace lab_12_drawing {
 constexpr int kLayers = 3;
 constexpr int kRows = 16;  // how many rows of a picture one question has
 constexpr double kEpsilon = 0x1p-10;
-constexpr double kMostPx = 64;
+constexpr double kMaxPx = 64;
 using Screens = Transform<Screen, Screen>;
 
 // ---- the reference ----
@@ -99,7 +99,7 @@ Numbers size(RecordReader& in) {
   Numbers out;
   while (in.more()) {
     const double side = focal_ratio / in.number();
-    out.insert(out.end(), {std::clamp(side, 1.0, kMostPx), side > kMostPx ? 1.0 : 0.0});
+    out.insert(out.end(), {std::clamp(side, 1.0, kMaxPx), side > kMaxPx ? 1.0 : 0.0});
   }
   return out;
 }
@@ -393,7 +393,7 @@ Result<WarpedRows> warp_samples(const std::vector<Numbers>& bands, const Numbers
     for (const auto& here : rows[y]) {
       warped_rows[y].emplace_back();
       for (const DepthSample& sample : here) {
-        const double side = std::clamp((*sizes)[y][2 * i], 0.0, 4 * kMostPx);
+        const double side = std::clamp((*sizes)[y][2 * i], 0.0, 4 * kMaxPx);
         warped_rows[y].back().push_back(
             {double(to_finite_float(at[4 * i])), double(to_finite_float(at[4 * i + 1])),
              double(to_finite_float(at[4 * i + 2])), double(to_finite_float(at[4 * i + 3])),

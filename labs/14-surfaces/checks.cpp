@@ -71,7 +71,7 @@ Case expect_crossing(const EdgeCase& input) {
   if (!std::isinf(input.from) && !std::isinf(input.to)) {
     const Rational exact = (Rational(input.level) - Rational(input.from)) /
                            (Rational(input.to) - Rational(input.from));
-    share = std::clamp(double(exact), kLeastStep, 1 - kLeastStep);
+    share = std::clamp(double(exact), kMinStep, 1 - kMinStep);
   }
   return {.where = input.what,
           .restated = fmt::format("values {} and {} at the ends, level {}", input.from, input.to,

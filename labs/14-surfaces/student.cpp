@@ -54,7 +54,7 @@ double crossing(double from, double to, double level) {
   // BEGIN SOLUTION
   if (std::isinf(from) || std::isinf(to)) return 0.5;
   const double share = (level - from) / (to - from);
-  return std::clamp(share, kLeastStep, 1 - kLeastStep);
+  return std::clamp(share, kMinStep, 1 - kMinStep);
   // STUB: return NAN;  // linear interpolation, kept away from both ends
   // END SOLUTION
 }

@@ -44,9 +44,9 @@ std::vector<std::vector<int>> cell_polygons(unsigned inside);
 // Task 14.2. Where on an edge the surface is, as a fraction of the edge's length from its first
 // end. `from` and `to` are the values at the ends; one is at least the level (inside) and the other
 // below it. The answer is where the linear interpolation between these values is equal to the
-// level, but at least kLeastStep away from both ends (C-96). A value outside the lattice is minus
+// level, but at least kMinStep away from both ends (C-96). A value outside the lattice is minus
 // infinity; then the answer is one half. Error bound: 8 u of the answer.
-inline constexpr double kLeastStep = 0x1p-10;
+inline constexpr double kMinStep = 0x1p-10;
 double crossing(double from, double to, double level);
 
 // ---- layered images of ids ----

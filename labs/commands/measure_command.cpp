@@ -164,8 +164,8 @@ std::vector<std::string> series_of(const std::vector<study::ConfigurationResult>
 
 Result<labs::Claim> claim_in(const std::string& path) {
   // A file of one or two thousand points is smaller.
-  constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 20;
-  const auto bytes = read_file(path, kMostBytes);
+  constexpr std::uint64_t kMaxBytes = std::uint64_t(1) << 20;
+  const auto bytes = read_file(path, kMaxBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   return labs::read_claim(path,
                           std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
@@ -280,7 +280,7 @@ int LabMeasureCommand::run() const {
     fmt::print("{}", unwritten_text(*folder->lab, *measured));
     return kFailure;
   }
-  const auto yours = labs::measure_points(written, student, study::kLeastRepetitions, tell);
+  const auto yours = labs::measure_points(written, student, study::kMinRepetitions, tell);
   if (!yours) return broken(yours.error());
 
   study::RunOptions options;

@@ -65,7 +65,7 @@ public:
       ++judged->records;
       keep(std::size_t(judged - result_.stages.begin()), judged->records - 1, questions[i],
            (*yours)[i], reference, wrong);
-      if (!wrong || ++judged->wrong > kMostWrong) continue;
+      if (!wrong || ++judged->wrong > kMaxWrong) continue;
       constexpr std::size_t kKept = 12;
       result_.wrong.push_back(
           {std::size_t(judged - result_.stages.begin()), std::size_t(judged->records - 1),
@@ -82,7 +82,7 @@ private:
     const auto first = [](const Numbers& all) {
       return Numbers(all.begin(), all.begin() + std::ptrdiff_t(std::min(all.size(), kShown)));
     };
-    const bool room = wrong ? ++wrong_kept_ <= kMostWrong : numbers_kept_ < kKeptNumbers;
+    const bool room = wrong ? ++wrong_kept_ <= kMaxWrong : numbers_kept_ < kKeptNumbers;
     if (!room) return;
     result_.kept.push_back(
         {stage, record, question.triangle, first(yours), first(reference), wrong});

@@ -46,7 +46,7 @@ struct DrawingResult {
   Image<Rgba8> yours, reference;
   std::optional<Image<Rgba8>> truth;  // LabDrawing::truth, if it has one
   std::vector<JudgedStage> stages;    // in the order of the pipeline
-  // the wrong records of each stage, at most the first kMostWrong; in the order of the stages
+  // the wrong records of each stage, at most the first kMaxWrong; in the order of the stages
   std::vector<WrongRecord> wrong;
   std::vector<KeptRecord> kept;  // wrong records, and right ones while there is room
   std::uint64_t differing_pixels = 0;
@@ -57,7 +57,7 @@ struct DrawingResult {
 
   bool right() const { return wrong.empty(); }
 };
-inline constexpr std::size_t kMostWrong = 2000;
+inline constexpr std::size_t kMaxWrong = 2000;
 inline constexpr std::size_t kKeptNumbers = 300'000;  // how many numbers of right records are kept
 
 // What the student's functions and the reference made, so that it can be drawn again.

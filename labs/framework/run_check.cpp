@@ -124,7 +124,7 @@ CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
     if (!(well && !answers.malformed.empty()))
       record_failure(answers.cases[stuck], outcome, limits);
     const bool again = outcome.ending == Ending::kSignal || outcome.ending == Ending::kExit;
-    if (!again || restarts == kMostRestarts) {
+    if (!again || restarts == kMaxRestarts) {
       for (std::size_t i = stuck + 1; i < cases; ++i) {
         if (answers.cases[i].state == CaseAnswer::State::kMissing)
           answers.cases[i].text = "the program ended before this case";

@@ -61,9 +61,9 @@ public:
 std::string ending_text(const RunOutcome& outcome, const RunLimits& limits);
 
 // Runs a check and collects all its answers. A crash costs only the case in which it happened: the
-// process is started again from the next case, at most kMostRestarts times. A process that is out
+// process is started again from the next case, at most kMaxRestarts times. A process that is out
 // of time, memory or output is not started again.
-inline constexpr int kMostRestarts = 16;
+inline constexpr int kMaxRestarts = 16;
 CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
                        const std::string& check, std::size_t cases, const RunLimits& limits);
 

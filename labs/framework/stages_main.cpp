@@ -65,10 +65,10 @@ CallTime measure_call_time(const std::function<void()>& work, int calls) {
 // Measures the time of each round. A first call, which is not measured, fills the caches and maps
 // the memory. Short work is called several times in a round.
 void time_rounds(const std::function<void()>& work, int rounds, Numbers& out) {
-  constexpr double kLeastRound = 2e5;  // ns per round; reading a clock takes some 50 ns
+  constexpr double kMinRound = 2e5;  // ns per round; reading a clock takes some 50 ns
   work();
   const double once = std::max(measure_call_time(work, 1).wall, 1.0);
-  const int calls = int(std::clamp(std::ceil(kLeastRound / once), 1.0, 1e5));
+  const int calls = int(std::clamp(std::ceil(kMinRound / once), 1.0, 1e5));
   for (int round = 0; round < rounds; ++round) {
     const CallTime taken = measure_call_time(work, calls);
     out.insert(out.end(), {taken.processor, taken.wall});

@@ -53,7 +53,7 @@ std::string read_bytes(archive* reader, std::size_t& left, std::string* kept) {
     if (got == 0) return {};
     if (got < 0) return "is damaged or encrypted";
     const auto size = static_cast<std::size_t>(got);
-    if (size > left) return fmt::format("holds more than {} MiB of files", kMostUnpacked >> 20);
+    if (size > left) return fmt::format("holds more than {} MiB of files", kMaxUnpacked >> 20);
     left -= size;
     if (kept == nullptr) continue;
     if (kept->size() + size > kLargestSource)
@@ -64,7 +64,7 @@ std::string read_bytes(archive* reader, std::size_t& left, std::string* kept) {
 
 Contents read_all(archive* reader, const std::string& name) {
   Contents contents;
-  std::size_t left = kMostUnpacked, entries = 0;
+  std::size_t left = kMaxUnpacked, entries = 0;
   archive_entry* entry = nullptr;
   while (true) {
     const int status = archive_read_next_header(reader, &entry);
@@ -73,8 +73,8 @@ Contents read_all(archive* reader, const std::string& name) {
       contents.refusal = "is damaged, or is not an archive";
       return contents;
     }
-    if (++entries > kMostEntries) {
-      contents.refusal = fmt::format("has more than {} files and folders", kMostEntries);
+    if (++entries > kMaxEntries) {
+      contents.refusal = fmt::format("has more than {} files and folders", kMaxEntries);
       return contents;
     }
     const char* stored = archive_entry_pathname_utf8(entry);

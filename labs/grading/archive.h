@@ -15,8 +15,8 @@ bool is_archive(const std::filesystem::path& file);
 
 // Limits of an archive that is submitted. A lab's folder has 20 files and less than a MiB.
 inline constexpr std::size_t kLargestArchive = std::size_t(64) << 20;  // bytes of the file
-inline constexpr std::size_t kMostUnpacked = std::size_t(256) << 20;   // bytes of all its contents
-inline constexpr std::size_t kMostEntries = 10000;
+inline constexpr std::size_t kMaxUnpacked = std::size_t(256) << 20;    // bytes of all its contents
+inline constexpr std::size_t kMaxEntries = 10000;
 
 // The text of the file `name` at the top of the archive, or in the only folder there. An archive is
 // refused if it is above the limits, is encrypted or damaged, has an absolute path or a "..", or if

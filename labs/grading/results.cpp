@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostText = 4000;  // how many bytes of a student's printed output are shown
+constexpr std::size_t kMaxText = 4000;  // how many bytes of a student's printed output are shown
 
 std::string truncated(const std::string& text, std::size_t most) {
   return text.size() <= most ? text : text.substr(0, most) + "\n[cut off here]";
@@ -46,7 +46,7 @@ std::string divergence_text(const Divergence& divergence) {
 Json failure_json(const FirstFailure& failure) {
   Json json{{"case", failure.index}, {"verdict", verdict_name(failure.verdict)}};
   if (!failure.where.empty()) json["where"] = failure.where;
-  if (!failure.text.empty()) json["text"] = truncated(failure.text, kMostText);
+  if (!failure.text.empty()) json["text"] = truncated(failure.text, kMaxText);
   if (const auto& divergence = failure.divergence) {
     json["field"] = divergence->field;
     json["element"] = divergence->element;
@@ -87,7 +87,7 @@ std::string failure_text(const CheckResult& check, const std::string& name) {
     text += fmt::format("The first case that is not right: case {}", first->index);
     if (!first->where.empty()) text += fmt::format(" ({})", first->where);
     text += fmt::format(": {}\n", verdict_name(first->verdict));
-    if (!first->text.empty()) text += "  " + truncated(first->text, kMostText) + '\n';
+    if (!first->text.empty()) text += "  " + truncated(first->text, kMaxText) + '\n';
     if (first->divergence) text += divergence_text(*first->divergence);
     if (!first->restated.empty()) text += "The case:\n" + first->restated + '\n';
   }
@@ -108,7 +108,7 @@ std::string explanation(const CheckResult& check, const std::string& name) {
     text = failure_text(check, name);
   }
   if (!check.printed.empty())
-    text += "Your code printed:\n" + truncated(check.printed, kMostText) + '\n';
+    text += "Your code printed:\n" + truncated(check.printed, kMaxText) + '\n';
   return text;
 }
 
@@ -119,7 +119,7 @@ Json gradescope_json(const GradedSubmission& graded, const std::string& confinem
   // reveal something about hidden checks.
   std::string output = fmt::format("Lab {}, {}.\n", lab.number, lab.title);
   if (graded.outcome != "graded") output += graded.outcome + ".\n";
-  if (!graded.messages.empty()) output += "\n" + truncated(graded.messages, 3 * kMostText);
+  if (!graded.messages.empty()) output += "\n" + truncated(graded.messages, 3 * kMaxText);
   Json tasks = Json::array();
   for (const TaskResult& task : lab.tasks) {
     tasks.push_back({{"id", task.id},

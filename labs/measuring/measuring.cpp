@@ -75,7 +75,7 @@ Result<study::Timing> timing_of(const Numbers& taken, double items) {
     if (!(processor >= 0 && processor < 1e18 && wall >= 0))
       return fail("student.cpp", "something other than a time was written among the times", "");
     ns.push_back(processor / items);
-    timing.disturbed += wall > (1 + study::kMostWaiting) * processor;
+    timing.disturbed += wall > (1 + study::kMaxWaiting) * processor;
   }
   timing.ns = study::quartiles(std::move(ns));
   return timing;

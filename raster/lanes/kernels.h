@@ -29,7 +29,7 @@ struct Kernels {
   void (*transform_vertices)(const VertexJob& job);
   void (*transform_normals)(const NormalJob& job);
   void (*transform_positions)(const EyePositionJob& job);
-  // Writes the selected triangles to `selected`, which has room for job.count + kMostLanes, and
+  // Writes the selected triangles to `selected`, which has room for job.count + kMaxLanes, and
   // returns their number.
   std::size_t (*select_triangles)(const SelectJob& job, const BinColumns& selected,
                                   SelectCounts& counts);

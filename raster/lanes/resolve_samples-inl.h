@@ -100,7 +100,7 @@ private:
                                 Ints background, const Shared& shared, SampleColors& colors,
                                 RemainingSamples& remaining) {
     const std::size_t pixel = std::size_t(quad) * kQuadPixels + k;
-    Ints seen[kMostSamples];
+    Ints seen[kMaxSamples];
     for (std::size_t s = 0; s < tiles_.size(); ++s) {
       seen[s] = visible_references(tiles_[s], block, quad, k);
       Ints color = background;
@@ -160,7 +160,7 @@ private:
   HWY_INLINE void copy_equal_samples(std::size_t block, int quad, std::size_t k,
                                      SampleColors& colors) const {
     const std::size_t pixel = std::size_t(quad) * kQuadPixels + k;
-    Ints seen[kMostSamples];
+    Ints seen[kMaxSamples];
     for (std::size_t s = 0; s < tiles_.size(); ++s) {
       seen[s] = visible_references(tiles_[s], block, quad, k);
       Ints color = load(colors.at(s) + pixel);

@@ -26,7 +26,7 @@ struct SampleColors {
   std::int32_t* at(std::size_t sample) { return colors + sample * kBlockPixels; }
   const std::int32_t* at(std::size_t sample) const { return colors + sample * kBlockPixels; }
 
-  HWY_ALIGN std::int32_t colors[std::size_t(kMostSamples) * kBlockPixels];
+  HWY_ALIGN std::int32_t colors[std::size_t(kMaxSamples) * kBlockPixels];
 };
 
 template <int kShift>

@@ -23,7 +23,7 @@ namespace HWY_NAMESPACE {
 // the sample's colour: sample * kBlockPixels + pixel.
 struct RemainingSamples {
   // (With room for the lanes that a vector writes beyond the end.)
-  static constexpr std::size_t kMost = std::size_t(kMostSamples) * kBlockPixels + kLanes;
+  static constexpr std::size_t kMost = std::size_t(kMaxSamples) * kBlockPixels + kLanes;
   HWY_INLINE void add(Ints seen, IntMask lanes, std::size_t sample, std::size_t pixel) {
     const Ints index = hn::Iota(kI, std::int32_t(sample * kBlockPixels + pixel));
     hn::StoreU(first_kept(seen, lanes).v, kI, references + count);

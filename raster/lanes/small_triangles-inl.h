@@ -185,7 +185,7 @@ struct TileSamples {
   };
   std::span<TileBuffer> tiles;
   TilePixels front;
-  Sample samples[kMostSamples];
+  Sample samples[kMaxSamples];
 };
 
 // Draws triangle t over one quad, at all samples of the quad's pixels. The difference of an edge

@@ -90,10 +90,10 @@ struct SelectJob {
   int margin = 0;
   int tile_shift = 6;  // log2 of the tile's side
   // Null, or for each of the `count` triangles a number that is 0 if the triangle is left out.
-  // kMostLanes further numbers after these must be readable.
+  // kMaxLanes further numbers after these must be readable.
   const std::int32_t* keep = nullptr;
 };
-inline constexpr std::size_t kMostLanes = 64;  // of 32 bits: the widest vectors have 2048 bits
+inline constexpr std::size_t kMaxLanes = 64;  // of 32 bits: the widest vectors have 2048 bits
 
 // A tile of the screen: its column in the lower half, its row in the upper half.
 using TilePlace = std::uint32_t;

@@ -15,7 +15,7 @@ Point<Object, double> to_double(const Point<Object>& p) {
   return {double(p.x), double(p.y), double(p.z)};
 }
 
-constexpr std::uint32_t kLeastTriangles = 16 * kClusterTriangles;
+constexpr std::uint32_t kMinTriangles = 16 * kClusterTriangles;
 
 using Vector3 = Vector<Object, double>;
 using Corners = std::array<Point<Object, double>, 3>;
@@ -31,7 +31,7 @@ constexpr double kSlack = 0x1p-18;
 // if the longest edge has length 1. If the vector itself is longer than this constant, the error of
 // the unit normal is below 2^-29.
 constexpr double kThinnest = 0x1p-20;
-constexpr double kLeastCosine = 0.125;
+constexpr double kMinCosine = 0.125;
 
 // The normals of a cluster's triangles and what is computed with them.
 struct NewellVectors {
@@ -60,7 +60,7 @@ NewellVectors newell_vectors_of(std::span<const Corners> triangles) {
 }
 
 // Computes the cone that contains the cluster's normals. The cluster gets none if a normal is more
-// than about 83 degrees from the axis (kLeastCosine) or is not accurate (kThinnest).
+// than about 83 degrees from the axis (kMinCosine) or is not accurate (kThinnest).
 void add_cone(std::span<const Corners> triangles, Cluster& cluster) {
   const NewellVectors vectors = newell_vectors_of(triangles);
   const double size = length(vectors.sum);
@@ -80,7 +80,7 @@ void add_cone(std::span<const Corners> triangles, Cluster& cluster) {
     backs = std::min(backs, along);
     fronts = std::max(fronts, along);
   }
-  if (!(cosine - kSlack > kLeastCosine)) return;
+  if (!(cosine - kSlack > kMinCosine)) return;
   const double across = 2 * length(half_size_of(cluster));
   cluster.along_backs = backs - kSlack * across;
   cluster.along_fronts = fronts + kSlack * across;
@@ -131,7 +131,7 @@ ClusterBlocks list_blocks(std::span<const std::uint32_t> corners, std::size_t ta
 Clusters make_clusters(const Mesh& mesh, std::span<const std::uint32_t> corners,
                        std::span<const std::uint32_t> normals) {
   Clusters made;
-  if (corners.size() < 3 * std::size_t(kLeastTriangles)) return made;
+  if (corners.size() < 3 * std::size_t(kMinTriangles)) return made;
   std::vector<Corners> triangles;
   for_each_cluster(corners, [&](std::uint32_t, std::span<const std::uint32_t> entries) {
     triangles.clear();

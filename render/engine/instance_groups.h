@@ -14,7 +14,7 @@ struct PreparedMesh;
 
 inline constexpr std::uint32_t kGroupInstances = 64;
 // In scenes with fewer instances it is quicker to test them one by one.
-inline constexpr std::size_t kLeastGroupedInstances = 1024;
+inline constexpr std::size_t kMinGroupedInstances = 1024;
 
 // Notation: x is a vertex of an instance relative to the anchor of its mesh; W0, W1, W2 are the
 // first three columns of world_from_object, whose fourth column is the origin; |.| is a length.

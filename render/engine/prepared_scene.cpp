@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 
 namespace glassbox {
 
@@ -124,7 +124,7 @@ PreparedScene prepare_scene(const Scene& scene, Transfer transfer) {
       made.joined = joined_indices(mesh, made, std::min(copies, most));
     }
   }
-  if (scene.instances.size() >= kLeastGroupedInstances) {
+  if (scene.instances.size() >= kMinGroupedInstances) {
     prepared.groups =
         std::make_unique<InstanceGroups>(make_instance_groups(scene, prepared.meshes));
   }

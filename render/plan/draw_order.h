@@ -17,9 +17,9 @@ inline bool may_overtake(const DepthCodes& later, const DepthCodes& earlier) {
 }
 
 // Moves each draw of `order` (indices into `codes`) towards the front, past the draws that it may
-// overtake. Returns how many draws have moved. A draw overtakes at most kMostOvertaken others, so
+// overtake. Returns how many draws have moved. A draw overtakes at most kMaxOvertaken others, so
 // that ordering thousands of draws takes less time than it saves.
-inline constexpr std::size_t kMostOvertaken = 256;
+inline constexpr std::size_t kMaxOvertaken = 256;
 std::size_t order_front_to_back(std::span<std::uint32_t> order, std::span<const DepthCodes> codes);
 
 }  // namespace glassbox

@@ -12,13 +12,13 @@ namespace glassbox {
 namespace {
 
 // How many draws are tested, in the order of drawing; the draws after them are always drawn.
-constexpr std::size_t kMostDraws = 4096;
+constexpr std::size_t kMaxDraws = 4096;
 
 // Work is counted in units of the time in which the vectorised code draws one triangle, about 20 ns
-// (S5 of the benchmark: 22 ms for a million). kMostWork is the most that the test may cost for each
-// sample point of a pixel, kLeastWork the cost that is always allowed. kWorkOfTriangle is the cost
+// (S5 of the benchmark: 22 ms for a million). kMaxWork is the most that the test may cost for each
+// sample point of a pixel, kMinWork the cost that is always allowed. kWorkOfTriangle is the cost
 // of setting up a triangle by the stages of the reference, about 500 ns.
-constexpr std::size_t kMostWork = std::size_t{1} << 17, kLeastWork = 1024;
+constexpr std::size_t kMaxWork = std::size_t{1} << 17, kMinWork = 1024;
 constexpr std::size_t kWorkOfTriangle = 24;
 
 bool is_filled(const Draw& draw) {
@@ -59,7 +59,7 @@ public:
       : eye_(eye),
         window_{0, 0, int(eye.view.viewport.width()), int(eye.view.viewport.height())},
         points_(points_of(eye.settings)),
-        most_work_(points_.size() * std::clamp(triangles / 4, kLeastWork, kMostWork)) {}
+        most_work_(points_.size() * std::clamp(triangles / 4, kMinWork, kMaxWork)) {}
 
   // Whether the triangles added so far hide the whole draw. `pixels`: the pixels that the draw's
   // box reaches; nothing if the box reaches the eye.
@@ -112,7 +112,7 @@ std::vector<bool> find_hidden_draws(const PlannedEye& eye, const Plan& plan, dou
   std::size_t triangles = 0;
   for (const std::uint32_t i : plan.order) triangles += draws[i].triangulation->triangles.size();
   HiddenDraws found(eye, triangles);
-  for (std::size_t at = 0; at < std::min(plan.order.size(), kMostDraws); ++at) {
+  for (std::size_t at = 0; at < std::min(plan.order.size(), kMaxDraws); ++at) {
     const std::uint32_t i = plan.order[at];
     // A staged draw (drawn by the stages of the reference) may draw lines (wireframe) instead of
     // surfaces.

@@ -21,8 +21,8 @@ struct CoveredFragment {
   Fragment place;  // where it is shaded: at the centre, if that is covered
   bool centre = false;
   std::uint32_t centre_code = 0;
-  std::uint32_t samples = 0;                      // bit s: sample s is covered
-  std::array<std::uint32_t, kMostSamples> codes;  // the depth codes of the covered samples
+  std::uint32_t samples = 0;                     // bit s: sample s is covered
+  std::array<std::uint32_t, kMaxSamples> codes;  // the depth codes of the covered samples
 
   bool is_empty() const { return !centre && samples == 0; }
 };

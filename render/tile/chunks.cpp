@@ -155,7 +155,7 @@ const std::int32_t* cull_early(const PrimitiveStage& stage, const DrawSlot& slot
   if (!stage.object_cull) return nullptr;
   const Draw& draw = stage.draw;
   const std::uint32_t* indices = draw.prepared->indices.positions.data() + std::size_t(first) * 3;
-  std::int32_t* keep = grow_to(chunk.keep, count + kMostLanes);
+  std::int32_t* keep = grow_to(chunk.keep, count + kMaxLanes);
   for (std::uint32_t i = 0; i < count; ++i, indices += 3) {
     const auto needs_clipping = [&](int k) { return slot.screen[indices[k]].x == kNeedsClipping; };
     const auto position = [&](int k) { return draw.mesh->positions[indices[k]]; };
@@ -199,7 +199,7 @@ const UnsortedEntries& fill_from_lanes(const TileRun& run, const Kernels& kernel
   std::optional<PrimitiveStage> stage(primitive_stage(run, slot));
   SelectCounts counts;
   UnsortedEntries& found = chunk.selected;
-  const BinColumns selected = found.columns(chunk.count + kMostLanes);
+  const BinColumns selected = found.columns(chunk.count + kMaxLanes);
   found.count = 0;
   for_each_drawn(slot, chunk, [&](std::size_t first, std::size_t count) {
     job.first = std::uint32_t(first);

@@ -51,7 +51,7 @@ struct VertexTask {
   std::size_t first = 0, count = 0;  // which entries of each draw
 };
 
-constexpr std::size_t kMostEyes = 2;
+constexpr std::size_t kMaxEyes = 2;
 
 }  // namespace
 
@@ -103,7 +103,7 @@ struct TileEngine::State {
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<TileMemory> memories;
   PlannedPicture planned;
-  std::array<DrawRound, kMostEyes> rounds;  // by eye; data that both eyes share is in the first
+  std::array<DrawRound, kMaxEyes> rounds;  // by eye; data that both eyes share is in the first
   std::vector<VertexTask> vertex_tasks;
   TileReport* report = nullptr;  // of the picture being drawn; null if none is wanted
   tbb::enumerable_thread_specific<TileReport::Thread> at_work;
@@ -312,7 +312,7 @@ void TileEngine::State::draw_tiles(const Pictures& pictures, std::span<const Til
   const int across = run.tiles_across();
   const bool shared = share_colors(passes);
   const auto tile_pixels = std::size_t(run.tile_side) * std::size_t(run.tile_side);
-  tbb::enumerable_thread_specific<std::array<Statistics, kMostEyes>> counts;
+  tbb::enumerable_thread_specific<std::array<Statistics, kMaxEyes>> counts;
   for_each(&TileReport::Thread::fragment_ms, run.tile_count(), [&](std::size_t i) {
     TileMemory& memory = memories.local();
     std::uint32_t* const both_eyes = shared ? grow_to(memory.colors, tile_pixels) : nullptr;
@@ -360,7 +360,7 @@ PairCullCounts TileEngine::draw(const PictureJob& job) {
 
 void TileEngine::render(const Scene& scene, const PreparedScene& prepared,
                         std::span<const EyePicture> eyes, TileReport* report) {
-  assert(!eyes.empty() && eyes.size() <= kMostEyes);
+  assert(!eyes.empty() && eyes.size() <= kMaxEyes);
   State& s = *state_;
   for (const EyePicture& eye : eyes) eye.statistics = {};
   Statistics& shared = eyes.front().statistics;

@@ -102,7 +102,7 @@ void conclude(Scaling& scaling) {
   if (points.size() < 2) return;
   std::vector<Sample> samples;
   for (const ScalingPoint& point : points) samples.push_back({point.x, point.ms.median});
-  if (samples.size() < kLeastFitted) {
+  if (samples.size() < kMinFitted) {
     scaling.ratios = {samples[1].x / samples[0].x, samples[1].y / samples[0].y};
   } else {
     scaling.law = fit_power_law(samples);

@@ -47,16 +47,16 @@ PowerLaw fit_power_law(std::span<const Sample> samples) {
 }
 
 std::optional<Bend> find_bend(std::span<const Sample> samples) {
-  constexpr double kLeastTurn = 0.1;
+  constexpr double kMinTurn = 0.1;
   std::optional<Bend> best;
   const auto left_by = [](const Bend& bend) { return bend.before.squares + bend.after.squares; };
-  for (std::size_t i = kLeastFitted - 1; i + kLeastFitted <= samples.size(); ++i) {
+  for (std::size_t i = kMinFitted - 1; i + kMinFitted <= samples.size(); ++i) {
     const Bend bend{samples[i].x, fit_power_law(samples.first(i + 1)),
                     fit_power_law(samples.subspan(i))};
     if (!best || left_by(bend) < left_by(*best)) best = bend;
   }
   if (!best) return std::nullopt;
-  const bool turns = std::abs(best->after.exponent - best->before.exponent) >= kLeastTurn;
+  const bool turns = std::abs(best->after.exponent - best->before.exponent) >= kMinTurn;
   const bool explains = left_by(*best) <= fit_power_law(samples).squares / 2;
   return turns && explains ? best : std::nullopt;
 }

@@ -41,8 +41,8 @@ struct PowerLaw {
   double squares = 0;  // sum of the squared residuals of the logarithms
 };
 // A fit needs at least two different x. Any two points lie on some power law, so only a fit to
-// kLeastFitted points or more is reported.
-inline constexpr std::size_t kLeastFitted = 3;
+// kMinFitted points or more is reported.
+inline constexpr std::size_t kMinFitted = 3;
 PowerLaw fit_power_law(std::span<const Sample> samples);
 
 // Two power laws, for the samples before and after the bend. The bend is at the sample with x =

@@ -44,10 +44,10 @@ void parse_part(const std::string& text, MeasuringOptions& options) {
   int part = 0, parts = 0, end = 0;
   const bool read = std::sscanf(text.c_str(), "%d/%d%n", &part, &parts, &end) == 2 &&
                     std::size_t(end) == text.size();
-  if (!read || part < 1 || part > parts || parts > study::kMostParts) {
+  if (!read || part < 1 || part > parts || parts > study::kMaxParts) {
     throw CLI::ValidationError(
         "--part", fmt::format("needs K/N for part K of N parts, with 1 <= K <= N <= {}, not {}",
-                              study::kMostParts, in_quotes(text)));
+                              study::kMaxParts, in_quotes(text)));
   }
   options.part = part;
   options.parts = parts;
@@ -62,7 +62,7 @@ void add_measuring_options(CLI::App& command, MeasuringOptions& options) {
   command
       .add_option("--threads", options.threads,
                   "the largest number of threads, for experiments that use several [all]")
-      ->check(CLI::Range(1, kMostThreads))
+      ->check(CLI::Range(1, kMaxThreads))
       ->type_name("N");
   command
       .add_option("--resume", options.file,
@@ -90,7 +90,7 @@ Result<study::StudyResults> measure_experiments(const MeasuringOptions& options)
   Progress progress;
   study::RunOptions run;
   run.effort = effort;
-  run.repetitions = options.quick ? study::kLeastRepetitions : kFullRepetitions;
+  run.repetitions = options.quick ? study::kMinRepetitions : kFullRepetitions;
   run.threads = threads;
   run.phase = [&](const std::string& what) { progress.phase(what); };
   study::Origin origin = study::current_origin(version_and_build(), effort, threads);

@@ -59,8 +59,7 @@ public:
     progress_.phase("measuring all recommended options together");
     CombinedOptions found;
     found.options = combined_.options;
-    found.ns =
-        study::frame_times(renderer_cache_, {combined_}, study::kLeastRepetitions).front().ns;
+    found.ns = study::frame_times(renderer_cache_, {combined_}, study::kMinRepetitions).front().ns;
     if (reference_) {
       found.color_error = study::color_error(renderer_cache_.draw(combined_), reference_->image);
     }
@@ -187,7 +186,7 @@ private:
     progress_.phase(
         fmt::format("measuring {}: timing the {} of {} candidates that are accurate enough",
                     name_of(comparison.quantity), timed.size(), compared.variants.size()));
-    const auto times = study::frame_times(renderer_cache_, timed, study::kLeastRepetitions);
+    const auto times = study::frame_times(renderer_cache_, timed, study::kMinRepetitions);
     for (std::size_t i = 0; i < times.size(); ++i) comparison.candidates[which[i]].ns = times[i].ns;
   }
 

@@ -190,7 +190,7 @@ void StudySceneCommand::add_to(CLI::App& study, int& exit_code) {
   command.add_flag("--quick", quick_,
                    "vary each option alone, and do not combine shading, filter and samples");
   command.add_option("--threads", threads_, "the largest number of threads that is tried [all]")
-      ->check(CLI::Range(1, kMostThreads));
+      ->check(CLI::Range(1, kMaxThreads));
   add_json_output(command, json_output_, "the measurements");
   command.add_option("--csv", csv_output_, "the measurements as comma-separated values")
       ->type_name("FILE|-");
@@ -271,7 +271,7 @@ Result<CurveReport> StudySceneCommand::measure(const Scene& scene, Progress& pro
   request.variants.threads = threads;
   for (const auto& [level, unused] : request.at_levels) request.variants.levels.push_back(level);
   request.combine = !quick_;
-  request.repetitions = study::kLeastRepetitions;
+  request.repetitions = study::kMinRepetitions;
   request.keep_pictures = page_.has_value();
   if (const double free = study::available_bytes(); free > 0) request.most_bytes = free / 2;
   request.phase = [&](const std::string& what) { progress.phase(what); };

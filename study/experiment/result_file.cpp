@@ -49,8 +49,8 @@ std::string first_difference(const Origin& there, const Origin& here) {
 }
 
 Result<StudyResults> read_results(const std::string& path) {
-  constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 28;
-  const auto bytes = read_file(path, kMostBytes);
+  constexpr std::uint64_t kMaxBytes = std::uint64_t(1) << 28;
+  const auto bytes = read_file(path, kMaxBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto json = nlohmann::ordered_json::parse(*bytes, nullptr, false);
   auto results = results_of(json);

@@ -39,7 +39,7 @@ struct ExperimentResult {
   std::vector<ConfigurationResult> configurations;
 };
 
-inline constexpr int kMostParts = 1000;
+inline constexpr int kMaxParts = 1000;
 
 // Where results come from. Errors can be compared between results of the same version, times only
 // between results whose origins are the same in all fields.

@@ -160,7 +160,7 @@ StudyResults unchecked_results_of(const Json& json) {
                     field(json, "target"),
                     field(json, "caches")};
   const Origin& origin = results.origin;
-  if (origin.part < 1 || origin.part > origin.parts || origin.parts > kMostParts) {
+  if (origin.part < 1 || origin.part > origin.parts || origin.parts > kMaxParts) {
     throw UnreadableFile{"is damaged: its part does not exist"};
   }
   for (const Json& each : field(json, "experiments"))

@@ -10,11 +10,11 @@
 namespace glassbox::study {
 
 // With fewer repetitions than these, quartiles mean little.
-inline constexpr int kLeastRepetitions = 11;
+inline constexpr int kMinRepetitions = 11;
 
 struct RunOptions {
   Effort effort = Effort::kQuick;
-  int repetitions = kLeastRepetitions;
+  int repetitions = kMinRepetitions;
   int threads = 1;  // the largest number of threads
   // called with a description of each step; may be empty
   std::function<void(const std::string&)> phase;

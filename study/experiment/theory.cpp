@@ -9,7 +9,7 @@ std::optional<TheoryCheck> check_theory(const ConfigurationResult& result) {
   const double predicted = *result.predicted_error;
   TheoryCheck check;
   check.ratio = result.error == predicted ? 1 : result.error / predicted;
-  check.finding = !(check.ratio >= kLeastRatio && check.ratio <= kGreatestRatio);
+  check.finding = !(check.ratio >= kMinRatio && check.ratio <= kGreatestRatio);
   return check;
 }
 

@@ -9,7 +9,7 @@ namespace glassbox::study {
 
 // A prediction gives only the order of magnitude; a measured error that differs by more than a
 // factor of two is a finding.
-inline constexpr double kLeastRatio = 0.5, kGreatestRatio = 2;
+inline constexpr double kMinRatio = 0.5, kGreatestRatio = 2;
 
 struct TheoryCheck {
   // measured / predicted; 1 if both are 0, infinite if only the prediction is 0.

@@ -27,10 +27,10 @@ Seconds seconds_of(const std::function<void()>& work, int calls) {
 // Makes a first call, which is not counted, to fill the caches and memory pages; then estimates how
 // many calls one sample needs.
 int calls_a_sample(const std::function<void()>& work) {
-  constexpr double kMostCalls = 100000;
+  constexpr double kMaxCalls = 100000;
   work();
   const double seconds = std::max(seconds_of(work, 1).wall, 1e-9);
-  return int(std::clamp(std::ceil(kLeastSample / seconds), 1.0, kMostCalls));
+  return int(std::clamp(std::ceil(kMinSample / seconds), 1.0, kMaxCalls));
 }
 
 // Tells whether the processor is slower than at its best so far, by timing a fixed piece of work.
@@ -41,7 +41,7 @@ public:
   bool is_slower() {
     const double seconds = seconds_();
     least_ = std::min(least_, seconds);
-    return seconds > kMostSlower * least_;
+    return seconds > kMaxSlower * least_;
   }
 
 private:
@@ -95,7 +95,7 @@ std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetit
       const Seconds taken = seconds_of(works[i].work, calls[i]);
       const bool alone = works[i].threads == 1;
       const bool waited =
-          alone ? taken.wall > (1 + kMostWaiting) * taken.processor : probes.switches() != switches;
+          alone ? taken.wall > (1 + kMaxWaiting) * taken.processor : probes.switches() != switches;
       const double seconds = alone ? taken.processor : taken.wall;
       (slower || waited ? samples[i].disturbed : samples[i].steady)
           .push_back(1e9 * seconds / (calls[i] * works[i].items));

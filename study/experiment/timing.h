@@ -38,21 +38,21 @@ struct Probes {
 
 // Calls each work once without timing, then times `repetitions` rounds over all works. Each round
 // starts with the next work, so that no work always runs right after the same one. A work shorter
-// than kLeastSample is called several times per sample.
+// than kMinSample is called several times per sample.
 //
 // With one thread, the time is processor time, which does not include the time that other programs
-// take. If the wall clock exceeds it by more than kMostWaiting, the thread had to wait and its
+// take. If the wall clock exceeds it by more than kMaxWaiting, the thread had to wait and its
 // caches may have changed: the sample is disturbed. With several threads, the time is wall time; a
 // sample in which one of the threads was interrupted is disturbed, because the other threads may
 // have waited for it. In both cases a round is disturbed if the reference work takes more than
-// kMostSlower times its least time: then the processor itself was slower. Disturbed samples are
+// kMaxSlower times its least time: then the processor itself was slower. Disturbed samples are
 // replaced by samples of additional rounds; there are at most as many additional rounds as first
 // ones.
 std::vector<Timed> time_in_turn(const std::vector<TimedWork>& works, int repetitions,
                                 const Probes& probes = {});
 
-inline constexpr double kLeastSample = 2e-4;  // seconds; reading a clock takes about 5e-8
-inline constexpr double kMostWaiting = 0.05;  // fraction of the sample's time
-inline constexpr double kMostSlower = 1.1;
+inline constexpr double kMinSample = 2e-4;   // seconds; reading a clock takes about 5e-8
+inline constexpr double kMaxWaiting = 0.05;  // fraction of the sample's time
+inline constexpr double kMaxSlower = 1.1;
 
 }  // namespace glassbox::study

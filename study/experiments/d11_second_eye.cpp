@@ -131,7 +131,7 @@ struct Errors {
 
 // In px. Smaller differences of parallax are rounding errors: a float distance z is wrong by a few
 // units in its last place, and the parallax, about 100 px/z, by less than this.
-constexpr double kLeastDisparity = 0x1p-12;
+constexpr double kMinDisparity = 0x1p-12;
 
 double parallax_px(const StereoTestScene& s, float z) {
   return parallax_at(s.centre, s.pair, double(z)).px;
@@ -151,7 +151,7 @@ Errors errors_of(const RightEyePicture& right, const RightEyePicture& test,
       continue;
     }
     const double off = std::abs(parallax_px(test_scene, z) - parallax_px(test_scene, found));
-    if (off > kLeastDisparity) errors.disparity = std::max(errors.disparity, off);
+    if (off > kMinDisparity) errors.disparity = std::max(errors.disparity, off);
   }
   errors.holes /= double(right.distance.pixels.size());
   return errors;

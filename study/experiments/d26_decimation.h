@@ -178,7 +178,7 @@ private:
   // their edge, the surface keeps its topology. In addition, no triangle may turn by more than 80
   // degrees.
   bool may_collapse(std::uint32_t gone, std::uint32_t kept) const {
-    constexpr double kLeastCosine = 0.17;
+    constexpr double kMinCosine = 0.17;
     if (place_of(gone) != gone || place_of(kept) != kept) return false;
     const int shared = shared_triangles(gone, kept);
     if (shared == 0) return false;
@@ -192,7 +192,7 @@ private:
       const glm::dvec3 before = area_vector(t);
       std::ranges::replace(t, gone, kept);
       const glm::dvec3 after = area_vector(t);
-      return glm::dot(before, after) > kLeastCosine * glm::length(before) * glm::length(after);
+      return glm::dot(before, after) > kMinCosine * glm::length(before) * glm::length(after);
     });
   }
 

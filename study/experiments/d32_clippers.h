@@ -32,13 +32,13 @@ constexpr std::size_t most_vertices() {
   for (std::size_t plane = 0; plane < kPlanes; ++plane) most = most * 3 / 2;
   return most;
 }
-inline constexpr std::size_t kMostVertices = most_vertices();
+inline constexpr std::size_t kMaxVertices = most_vertices();
 
 // The result of clipping, in clip space.
 struct Outline {
-  std::array<Point<Clip>, kMostVertices> vertices;
+  std::array<Point<Clip>, kMaxVertices> vertices;
   // The last plane that created the vertex; -1: a vertex of the original triangle.
-  std::array<std::int8_t, kMostVertices> cut_by{};
+  std::array<std::int8_t, kMaxVertices> cut_by{};
   std::size_t count = 0;
 };
 
@@ -125,8 +125,8 @@ struct ClipSpace {
 
 template <class Space>
 struct Polygon {
-  std::array<typename Space::Vertex, kMostVertices> vertices;
-  std::array<std::int8_t, kMostVertices> cut_by;
+  std::array<typename Space::Vertex, kMaxVertices> vertices;
+  std::array<std::int8_t, kMaxVertices> cut_by;
   std::size_t count = 0;
 
   void add(const typename Space::Vertex& v, int plane) {
@@ -139,7 +139,7 @@ struct Polygon {
 // directions of the edge (B.1): it is computed in double and rounded once.
 template <class Space>
 Polygon<Space> cut(const Space& space, std::size_t plane, const Polygon<Space>& polygon) {
-  std::array<double, kMostVertices> distances;
+  std::array<double, kMaxVertices> distances;
   for (std::size_t i = 0; i < polygon.count; ++i)
     distances[i] = space.distance(plane, polygon.vertices[i]);
   Polygon<Space> kept;

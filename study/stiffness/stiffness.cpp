@@ -9,7 +9,7 @@
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/rounding.h>
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/raster/snap.h>
 #include <glassbox/render/trace/bounds.h>
 #include <glassbox/render/trace/tracer.h>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/mesh/builtin/images.h>
 #include <glassbox/mesh/builtin/placement.h>
 #include <glassbox/mesh/builtin/sphere.h>

@@ -1,6 +1,6 @@
 #include <glassbox/mesh/check.h>
 
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 
 #include "tests/mesh/polygons.h"
 #include "tests/support/catch.h"

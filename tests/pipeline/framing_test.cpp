@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/pipeline/look_at.h>

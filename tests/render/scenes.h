@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <glassbox/base/random.h>
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/affine.h>

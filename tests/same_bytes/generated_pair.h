@@ -19,8 +19,8 @@ struct GeneratedPair {
 // None if the eyes cannot be placed, which happens in a few per cent of the cases.
 inline std::optional<GeneratedPair> generate_pair(std::uint64_t seed, int largest_side) {
   Random random(0x2e7e5 + seed);
-  constexpr int kMostFaces = 24;
-  GeneratedPair made{generate_case(random, kMostFaces, largest_side), {}};
+  constexpr int kMaxFaces = 24;
+  GeneratedPair made{generate_case(random, kMaxFaces, largest_side), {}};
   RenderSettings& settings = made.scene.settings;
   settings.show = Show::kColor;
   settings.mask = {};

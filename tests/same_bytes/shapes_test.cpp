@@ -124,7 +124,7 @@ std::size_t check_shapes(std::uint64_t seed) {
       made.add("texture", picture->color);
       made.add("texture's polygons", picture->id);
     }
-    const auto fixed = with_static_texture(surface, *textured, kLeastTexels, 1e8);
+    const auto fixed = with_static_texture(surface, *textured, kMinTexels, 1e8);
     if (fixed) {
       for (const Image<Rgba8>& image : fixed->images) made.add("texture for all eyes", image);
     }

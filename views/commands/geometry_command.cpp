@@ -67,7 +67,7 @@ namespace {
 // The least sigma, px. Even exact matches differ slightly from the geometry, because positions of
 // up to some thousand pixels are rounded to float; with a sigma of 0 they would be taken for
 // outliers.
-constexpr double kLeastSigma = 0.05;
+constexpr double kMinSigma = 0.05;
 
 using PairOfNames = std::pair<std::string, std::string>;
 
@@ -102,7 +102,7 @@ void ViewsGeometryCommand::add_request_options(CLI::App& command) {
       },
       fmt::format("standard deviation of a match's coordinates (px) [{:g}; for a scene --noise, "
                   "but at least {:g}]",
-                  request_.sigma, kLeastSigma))
+                  request_.sigma, kMinSigma))
       ->group(group);
   add_real(
       command, "--threshold", "PX", [this](double value) { request_.threshold = value; },
@@ -280,7 +280,7 @@ Result<GeometryInput> ViewsGeometryCommand::input(Progress& progress) {
     progress.phase("reading the pair");
     return read_geometry_files(files_);
   }
-  if (!sigma_given_) request_.sigma = std::max(scene_.sampling.noise, kLeastSigma);
+  if (!sigma_given_) request_.sigma = std::max(scene_.sampling.noise, kMinSigma);
   scene_.sampling.seed = request_.seed;
   auto made = draw_geometry_scene(scene_, progress);
   if (!made) return tl::unexpected(made.error());

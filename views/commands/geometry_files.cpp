@@ -18,8 +18,8 @@ namespace {
 using NamedCameras = std::vector<views::NamedCamera>;
 
 Result<std::string> text_of_file(const std::string& path) {
-  constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 28;
-  return read_file(path, kMostBytes).map([](const std::vector<std::byte>& bytes) {
+  constexpr std::uint64_t kMaxBytes = std::uint64_t(1) << 28;
+  return read_file(path, kMaxBytes).map([](const std::vector<std::byte>& bytes) {
     return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   });
 }

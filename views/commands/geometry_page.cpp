@@ -20,13 +20,13 @@ Result<void> check_pictures(const GeometryInput& input) {
   if (!input.pictures) {
     return fail("--draw", "there are no pictures to draw on", "add --pair");
   }
-  constexpr std::int64_t kMostPixels = std::int64_t(1) << 23;  // 3840 x 2160 fits
+  constexpr std::int64_t kMaxPixels = std::int64_t(1) << 23;  // 3840 x 2160 fits
   const Image<Rgba8>& left = input.pictures->front();
-  if (std::int64_t(left.width) * left.height <= kMostPixels) return {};
+  if (std::int64_t(left.width) * left.height <= kMaxPixels) return {};
   return fail("--draw",
               fmt::format("a page of pictures of {} x {} would be too large for a browser",
                           left.width, left.height),
-              fmt::format("give pictures of at most {} pixels", kMostPixels));
+              fmt::format("give pictures of at most {} pixels", kMaxPixels));
 }
 
 }  // namespace
@@ -39,12 +39,12 @@ Result<std::string> make_geometry_page(const GeometryInput& input, const Json& r
   const auto right = picture_uri((*input.pictures)[1]);
   if (!right) return tl::unexpected(right.error());
   Json manifest = report;
-  constexpr std::size_t kMostMatches = 2000;
+  constexpr std::size_t kMaxMatches = 2000;
   manifest["all_matches"] = input.matches.size();
   // An ordered object stores its fields in a vector, which moves when it grows. So this reference
   // is taken after the insertion above.
-  if (Json& matches = manifest["matches"]; matches.size() > kMostMatches)
-    matches.erase(matches.begin() + std::ptrdiff_t(kMostMatches), matches.end());
+  if (Json& matches = manifest["matches"]; matches.size() > kMaxMatches)
+    matches.erase(matches.begin() + std::ptrdiff_t(kMaxMatches), matches.end());
   manifest["program"] = origin.program;
   manifest["command"] = origin.command;
   manifest["picture_names"] = {{"left", input.picture_names[0]}, {"right", input.picture_names[1]}};

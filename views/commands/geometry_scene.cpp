@@ -177,20 +177,20 @@ void add_geometry_scene_options(CLI::App& command, GeometryScene& scene) {
 
 Result<void> check_geometry_scene(const GeometryScene& scene) {
   const auto& [count, noise, outliers, seed] = scene.sampling;
-  constexpr int kMostMatches = 100'000;
-  constexpr double kMostNoise = 1000;
-  if (!(noise >= 0 && noise <= kMostNoise)) {
+  constexpr int kMaxMatches = 100'000;
+  constexpr double kMaxNoise = 1000;
+  if (!(noise >= 0 && noise <= kMaxNoise)) {
     return fail("--noise", fmt::format("{:g} px is not a possible standard deviation", noise),
-                fmt::format("give 0 to {:g}", kMostNoise));
+                fmt::format("give 0 to {:g}", kMaxNoise));
   }
   if (!(outliers >= 0 && outliers < 1)) {
     return fail("--outliers", fmt::format("{:g} is not a share from 0 to below 1", outliers),
                 "give 0 <= SHARE < 1, such as 0.3");
   }
-  if (count < 8 || count > kMostMatches) {
+  if (count < 8 || count > kMaxMatches) {
     return fail("--count",
                 fmt::format("{} matches are {}", count, count < 8 ? "too few" : "too many"),
-                fmt::format("give 8 to {}", kMostMatches));
+                fmt::format("give 8 to {}", kMaxMatches));
   }
   if (scene.picture.eyes.seen_by) {
     return fail("--seen-by", "the geometry is computed from both pictures", "leave it out");
@@ -213,8 +213,8 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
   }
   if (is_arbitrary && scene.turn) {
     for (const double degrees : *scene.turn) {
-      constexpr double kMostDegrees = 360;
-      if (!(std::abs(degrees) <= kMostDegrees))
+      constexpr double kMaxTurnDegrees = 360;
+      if (!(std::abs(degrees) <= kMaxTurnDegrees))
         return fail("--turn", fmt::format("{:g} degrees are more than a full turn", degrees),
                     "give -360 to 360");
     }

@@ -126,8 +126,8 @@ Json glyphs_json(const GlyphsReport& report, const views::Wall& wall) {
 }
 
 Result<void> check_glyphs_page(const Image<Rgba8>& picture) {
-  constexpr std::size_t kMostPixels = std::size_t(1) << 24;
-  if (picture.pixels.size() > kMostPixels)
+  constexpr std::size_t kMaxPixels = std::size_t(1) << 24;
+  if (picture.pixels.size() > kMaxPixels)
     return fail(
         "--html",
         fmt::format("a page of {} pixels would be too large for a browser", picture.pixels.size()),

@@ -192,9 +192,9 @@ Result<void> add_planes(const std::string& name, const views::Bands& planes, Jso
 }  // namespace
 
 Result<void> check_klt_page(std::uint64_t width, std::uint64_t height, std::uint64_t bands) {
-  constexpr std::uint64_t kMostSamples = std::uint64_t(1) << 23;
+  constexpr std::uint64_t kMaxSamples = std::uint64_t(1) << 23;
   const std::uint64_t samples = 2 * width * height * bands;
-  if (samples > kMostSamples) {
+  if (samples > kMaxSamples) {
     return fail("--html",
                 fmt::format("a page of {} samples would be too large for a browser", samples),
                 "give smaller or fewer bands");

@@ -79,27 +79,27 @@ private:
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kMostLayers = 255, kUsualLayers = 10;
+constexpr int kMaxLayers = 255, kUsualLayers = 10;
 
 // Parses "32,16" or "32". Throws CLI::ValidationError if the text has another form, or if there
 // would be too many rays.
 views::RaySampling parse_rays(const std::string& text) {
-  constexpr int kMostStrata = 90;  // the largest number whose fourth power is below kMostRays
+  constexpr int kMaxStrata = 90;  // the largest number whose fourth power is below kMaxRays
   views::RaySampling sampling;
   const auto read = [&](const std::string& part, int most, int& number) {
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
     if (error != std::errc() || end != part.data() + part.size() || number < 1 || number > most)
       throw CLI::ValidationError(
           "--rays", fmt::format("\"{}\" is not N or N,M: N from 1 to {}, M from 1 to {}",
-                                printable(text, kLongestMessage), kMostStrata, views::kMostRays));
+                                printable(text, kLongestMessage), kMaxStrata, views::kMaxRays));
   };
   const std::vector<std::string> parts = split(text, ',');
-  read(parts.size() > 2 ? text : parts[0], kMostStrata, sampling.strata);
-  if (parts.size() > 1) read(parts[1], int(views::kMostRays), sampling.rays);
-  if (sampling.count() > views::kMostRays)
+  read(parts.size() > 2 ? text : parts[0], kMaxStrata, sampling.strata);
+  if (parts.size() > 1) read(parts[1], int(views::kMaxRays), sampling.rays);
+  if (sampling.count() > views::kMaxRays)
     throw CLI::ValidationError("--rays",
                                fmt::format("N^4 M = {} rays are more than {}: give smaller numbers",
-                                           sampling.count(), views::kMostRays));
+                                           sampling.count(), views::kMaxRays));
   return sampling;
 }
 
@@ -129,9 +129,9 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
   command.add_option("-o,--output", output_, "the layers, .ldi")->type_name("FILE")->required();
   command
       .add_option("--layers", layers_,
-                  fmt::format("largest number of passes, 1 .. {} [{}]", kMostLayers, kUsualLayers))
+                  fmt::format("largest number of passes, 1 .. {} [{}]", kMaxLayers, kUsualLayers))
       ->type_name("N")
-      ->check(CLI::Range(1, kMostLayers));
+      ->check(CLI::Range(1, kMaxLayers));
   command
       .add_option("--views", views_,
                   "a file of more cameras from which the scene is peeled; their pictures have the "
@@ -165,9 +165,9 @@ void LayersBuildCommand::add_to(CLI::App& layers, int& exit_code) {
   command
       .add_option("--threads", threads_,
                   fmt::format("number of threads for --rays, 1 .. {}; the bytes are the same [1]",
-                              kMostThreads))
+                              kMaxThreads))
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
+      ->check(CLI::Range(1, kMaxThreads));
   add_picture_options(command, picture_);
   add_json_output(command, json_output_);
   command.callback([this, &exit_code] { exit_code = run(); });

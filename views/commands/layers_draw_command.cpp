@@ -121,16 +121,16 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
   command
       .add_option(
           "--threads", drawing_.threads,
-          fmt::format("number of threads, 1 .. {}; the bytes are the same [1]", kMostThreads))
+          fmt::format("number of threads, 1 .. {}; the bytes are the same [1]", kMaxThreads))
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads));
+      ->check(CLI::Range(1, kMaxThreads));
   add_target_option(command, drawing_.target);
-  constexpr int kMostRepeats = 100000;
+  constexpr int kMaxRepeats = 100000;
   command
       .add_option("--repeat", repeat_,
                   "draw the picture this many times, and print the median of the times")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostRepeats));
+      ->check(CLI::Range(1, kMaxRepeats));
   command
       .add_option("--against", against_,
                   "compare the picture with this scene drawn from the same view")

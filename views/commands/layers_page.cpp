@@ -19,7 +19,7 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr std::size_t kMostSamples = std::size_t(1) << 22;  // of 8 bytes, together 32 MB
+constexpr std::size_t kMaxSamples = std::size_t(1) << 22;  // of 8 bytes, together 32 MB
 
 nlohmann::ordered_json rows_of(const Eigen::Matrix4d& matrix) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -59,10 +59,10 @@ double pivot_of(const views::LayeredImage& image, const Eigen::Matrix4d& eye_fro
 
 Result<std::string> make_layers_page(const views::StoredLayers& layers, const std::string& file) {
   const views::LayeredImage& image = layers.image;
-  if (image.samples() > kMostSamples)
+  if (image.samples() > kMaxSamples)
     return fail("--html",
                 fmt::format("{} samples would be too many for a browser", image.samples()),
-                fmt::format("build layers of at most {}: a smaller --size", kMostSamples));
+                fmt::format("build layers of at most {}: a smaller --size", kMaxSamples));
   const views::LayerCounts counts = views::count_layers(image);
   std::vector<std::uint16_t> per_pixel;
   for (std::size_t i = 0; i + 1 < image.first.size(); ++i) {

@@ -409,7 +409,7 @@ int ViewsMatchCommand::run() {
   for (const auto& legal :
        {check_sources(), check_rectified(), check_outputs(),
         calibration_ ? views::check_calibration(*calibration_) : Result<void>(),
-        threads_ < 0 || threads_ > kMostThreads
+        threads_ < 0 || threads_ > kMaxThreads
             ? Result<void>(fail("--threads", "the number of threads must be at least 1",
                                 "give 1 or more, or leave it out"))
             : Result<void>()}) {

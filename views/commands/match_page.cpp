@@ -20,8 +20,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::int64_t kMostPixels = std::int64_t(1) << 21;  // 1920 x 1080 fits
-constexpr std::int64_t kMostSums = std::int64_t(1) << 24;    // bytes, before compression
+constexpr std::int64_t kMaxPixels = std::int64_t(1) << 21;  // 1920 x 1080 fits
+constexpr std::int64_t kMaxSums = std::int64_t(1) << 24;    // bytes, before compression
 
 // 32-bit floats, the least significant byte first.
 Bytes float_bytes(const Image<float>& values) {
@@ -97,15 +97,15 @@ Result<void> add_block(std::string& content, const char* id, const Bytes& bytes)
 }  // namespace
 
 bool has_room_for_sums(const MatchInput& input, const views::DisparityRange& range) {
-  return std::int64_t(input.left.width) * input.left.height * range.count() <= kMostSums;
+  return std::int64_t(input.left.width) * input.left.height * range.count() <= kMaxSums;
 }
 
 Result<void> check_match_page(const MatchInput& input) {
-  if (std::int64_t(input.left.width) * input.left.height <= kMostPixels) return {};
+  if (std::int64_t(input.left.width) * input.left.height <= kMaxPixels) return {};
   return fail("--html",
               fmt::format("a page of pictures of {} x {} would be too large for a browser",
                           input.left.width, input.left.height),
-              fmt::format("give pictures of at most {} pixels", kMostPixels));
+              fmt::format("give pictures of at most {} pixels", kMaxPixels));
 }
 
 Result<std::string> make_match_page(const MatchInput& input, const views::DenseMatch& match,

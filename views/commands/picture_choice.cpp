@@ -29,7 +29,7 @@ std::vector<std::size_t> parse_pictures(const std::string& text) {
   for (const std::string& part : split(text, ',')) {
     const std::vector<std::string> ends = split(part, '-');
     const std::size_t first = number(ends.front()), last = number(ends.back());
-    if (ends.size() > 2 || last < first || last - first > std::size_t(views::kMostRingViews))
+    if (ends.size() > 2 || last < first || last - first > std::size_t(views::kMaxRingViews))
       throw CLI::ValidationError("--pictures",
                                  "needs numbers from 1, such as 1-8,12, not '" + text + "'");
     for (std::size_t i = first; i <= last; ++i) chosen.push_back(i - 1);

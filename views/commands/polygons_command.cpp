@@ -73,7 +73,7 @@ void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
       .add_option("--resolution", resolution_,
                   fmt::format("voxels along the box's longest side [{}]", resolution_))
       ->type_name("N")
-      ->check(CLI::Range(1, views::kMostVoxelsAlong))
+      ->check(CLI::Range(1, views::kMaxVoxelsAlong))
       ->group(group);
   command
       .add_option("--threshold", request_.voxels.settings.threshold,
@@ -113,7 +113,7 @@ void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
           },
           "number of threads; the result is always the same [one for each processor]")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads))
+      ->check(CLI::Range(1, kMaxThreads))
       ->group("Engine");
 }
 

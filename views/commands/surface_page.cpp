@@ -43,12 +43,12 @@ Result<SurfaceBytes> surface_bytes(const Scene& scene) {
     for (const std::uint8_t channel : triangle.color) bytes.colors.push_back(channel);
   }
   fill_up_to(views::triangle_number_count(scene));
-  constexpr std::size_t kMostTriangles = 400000;
-  if (bytes.colors.size() / 3 > kMostTriangles) {
+  constexpr std::size_t kMaxTriangles = 400000;
+  if (bytes.colors.size() / 3 > kMaxTriangles) {
     return fail("--html",
                 fmt::format("a page of {} triangles would be too large for a browser",
                             bytes.colors.size() / 3),
-                fmt::format("take a surface of at most {}", kMostTriangles));
+                fmt::format("take a surface of at most {}", kMaxTriangles));
   }
   return bytes;
 }
@@ -79,8 +79,8 @@ Result<SurfaceJson> textures_json(const SurfacePage& page) {
   std::size_t pixels = 0;
   for (const views::CalibratedPicture& picture : page.pictures->pictures)
     pixels += picture.color.pixels.size();
-  constexpr std::size_t kMostPixels = std::size_t(1) << 24;
-  if (pixels > kMostPixels)
+  constexpr std::size_t kMaxPixels = std::size_t(1) << 24;
+  if (pixels > kMaxPixels)
     return fail("--html",
                 fmt::format("a page of {} pixels would be too large for a browser", pixels),
                 "take fewer or smaller pictures");

@@ -136,7 +136,7 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
       ->group(group);
   command.add_option("--neighbours", neighbours_, "number of pictures for --blend neighbours [4]")
       ->type_name("K")
-      ->check(CLI::Range(1, views::kMostNeighbours))
+      ->check(CLI::Range(1, views::kMaxNeighbours))
       ->group(group);
   const std::size_t before_camera = command.get_options().size();
   add_camera_options(command, camera_);
@@ -160,7 +160,7 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
                   "for --fixed: size of the texture: each pair of triangles gets a square of N x N "
                   "texels [8]")
       ->type_name("N")
-      ->check(CLI::Range(views::kLeastTexels, views::kMostTexels))
+      ->check(CLI::Range(views::kMinTexels, views::kMaxTexels))
       ->group(group);
   const auto all = command.get_options();
   options_.assign(all.begin() + std::ptrdiff_t(before) + 1, all.end());

@@ -91,7 +91,7 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
   add_box(command, box_);
   command.add_option("--resolution", resolution_, "voxels along the box's longest side [96]")
       ->type_name("N")
-      ->check(CLI::Range(1, views::kMostVoxelsAlong))
+      ->check(CLI::Range(1, views::kMaxVoxelsAlong))
       ->group(group);
   command.add_option("--voxel", voxel_size_, "edge of a voxel, in world units")
       ->type_name("D")
@@ -182,7 +182,7 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       .add_option("--threads", settings.threads,
                   "number of threads; the result is always the same [one for each processor]")
       ->type_name("N")
-      ->check(CLI::Range(1, kMostThreads))
+      ->check(CLI::Range(1, kMaxThreads))
       ->group("Engine");
 }
 

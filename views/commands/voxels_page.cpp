@@ -20,20 +20,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Result<void> check_size(const VoxelsInput& input, const VoxelsReport& report) {
-  constexpr std::size_t kMostVoxels = std::size_t(1) << 23, kMostColored = 1000000;
-  constexpr std::size_t kMostPixels = std::size_t(1) << 24;
+  constexpr std::size_t kMaxVoxels = std::size_t(1) << 23, kMaxColored = 1000000;
+  constexpr std::size_t kMaxPixels = std::size_t(1) << 24;
   const std::size_t voxels = report.verdicts.size(), colored = report.coloring.voxels.size();
-  if (voxels > kMostVoxels || colored > kMostColored) {
+  if (voxels > kMaxVoxels || colored > kMaxColored) {
     return fail(
         "--html",
         fmt::format("a page of {} voxels, {} of them coloured, would be too large for a "
                     "browser",
                     voxels, colored),
-        fmt::format("ask for at most {} and {}, with --resolution", kMostVoxels, kMostColored));
+        fmt::format("ask for at most {} and {}, with --resolution", kMaxVoxels, kMaxColored));
   }
   std::size_t pixels = 0;
   for (const auto& picture : input.set.pictures) pixels += picture.color.pixels.size();
-  if (pixels > kMostPixels) {
+  if (pixels > kMaxPixels) {
     return fail("--html",
                 fmt::format("a page of {} pixels would be too large for a browser", pixels),
                 "choose fewer pictures with --pictures");

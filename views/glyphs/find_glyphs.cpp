@@ -342,9 +342,9 @@ FoundGlyphs find_glyphs(const Image<Rgba8>& picture, const FindSettings& setting
   if (picture.pixels.empty()) return found;
   const Light paper = paper_of(picture);
   const Components components = components_of_picture(picture, paper);
-  constexpr std::size_t kLeastPixels = 9;
+  constexpr std::size_t kMinPixels = 9;
   for (std::size_t i = 0; i < components.all.size(); ++i) {
-    if (components.all[i].pixels.size() < kLeastPixels) continue;
+    if (components.all[i].pixels.size() < kMinPixels) continue;
     found.regions.push_back(
         Reader(picture, components, std::int32_t(i), paper, settings).run(is_on_wall));
   }

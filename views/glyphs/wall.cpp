@@ -114,10 +114,10 @@ Result<Wall> make_wall(const WallLayout& layout) {
 Result<void> check_panel_picture(const Wall& wall, double pixels_per_metre) {
   const WallPanel& panel = wall.panels.front();
   const double width = panel.width * pixels_per_metre, height = panel.height * pixels_per_metre;
-  constexpr double kMostSide = 16384;
+  constexpr double kMaxSide = 16384;
   if (!(width >= 1 && height >= 1))
     return fail("--dpi", "the picture of a panel would have no pixel", "ask for more pixels");
-  if (width <= kMostSide && height <= kMostSide && width * height <= kMostSheetPixels) return {};
+  if (width <= kMaxSide && height <= kMaxSide && width * height <= kMaxSheetPixels) return {};
   return fail("--dpi",
               fmt::format("the picture of a panel would have {:.0f} x {:.0f} px", width, height),
               "ask for fewer pixels per inch, or smaller glyphs (--pitch, --diameter)");

@@ -52,8 +52,8 @@ struct Wall {
 Result<Wall> make_wall(const WallLayout& layout);
 
 // Refused: pictures without a pixel, with a side longer than 16384 px, or with more than
-// kMostSheetPixels.
-inline constexpr double kMostSheetPixels = 1 << 26;
+// kMaxSheetPixels.
+inline constexpr double kMaxSheetPixels = 1 << 26;
 Result<void> check_panel_picture(const Wall& wall, double pixels_per_metre);
 
 // The picture of a panel on white paper, to be printed: each pixel is the mean of the light at 4 x

@@ -47,8 +47,8 @@ struct OpenedFile {
 };
 
 Result<OpenedFile> open_cube(const std::string& path) {
-  constexpr std::uint64_t kMostHeader = 1 << 20;
-  const auto text = read_file(path, kMostHeader);
+  constexpr std::uint64_t kMaxHeader = 1 << 20;
+  const auto text = read_file(path, kMaxHeader);
   if (!text) return tl::unexpected(text.error());
   const auto header =
       parse_cube_header({reinterpret_cast<const char*>(text->data()), text->size()});
@@ -66,10 +66,10 @@ Result<OpenedFile> open_cube(const std::string& path) {
 }
 
 // The limit for the size of the file: a picture file is smaller than its bands are as doubles,
-// except for text that the file may have beside the pixels (kMostText).
+// except for text that the file may have beside the pixels (kMaxText).
 Result<OpenedFile> open_picture(const std::string& path, std::uint64_t most_bytes) {
-  constexpr std::uint64_t kMostText = 1 << 20;
-  auto bytes = read_file(path, most_bytes + kMostText);
+  constexpr std::uint64_t kMaxText = 1 << 20;
+  auto bytes = read_file(path, most_bytes + kMaxText);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto header = stored_header(*bytes);
   if (!header) return in_file(path, header.error());
@@ -101,7 +101,7 @@ Result<Bands> decode_picture(const BandFiles::File& file) {
 
 Result<Bands> decode_file(const BandFiles::File& file) {
   if (!file.cube) return decode_picture(file);
-  const auto bytes = read_file(file.numbers, file.cube->bytes() + kMostTrailingBytes);
+  const auto bytes = read_file(file.numbers, file.cube->bytes() + kMaxTrailingBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   auto bands = decode_cube(*file.cube, *bytes);
   if (!bands) return in_file(file.numbers, bands.error());
@@ -138,10 +138,10 @@ Result<BandFiles> open_bands(const std::vector<std::string>& paths, std::uint64_
                             "give pictures of one size"});
     }
     all.count += one->bands;
-    if (all.count > int(kMostBands)) {
+    if (all.count > int(kMaxBands)) {
       return in_file(path, {{},
                             {},
-                            fmt::format("there are more than {} bands", kMostBands),
+                            fmt::format("there are more than {} bands", kMaxBands),
                             "give fewer pictures, or a file with fewer bands"});
     }
     const auto fits = check_planes(std::uint64_t(all.width), std::uint64_t(all.height),

@@ -31,7 +31,7 @@ struct BandFiles {
 // Each file is either a picture or the header of a raw cube. A picture (PGM, PNG and the other
 // formats of read.h) has a band for each channel except alpha, with the stored numbers: 8 or 16
 // bits. A header X.hdr belongs to a raw cube whose numbers are in X, X.img, X.raw, X.dat, X.bsq,
-// X.bil or X.bip beside it. Refused: files of several sizes, more than kMostBands bands, fewer
+// X.bil or X.bip beside it. Refused: files of several sizes, more than kMaxBands bands, fewer
 // bytes than a header demands, and bands that would need more than `most_bytes` as doubles.
 Result<BandFiles> open_bands(const std::vector<std::string>& paths, std::uint64_t most_bytes);
 Result<Bands> decode_bands(const BandFiles& files);

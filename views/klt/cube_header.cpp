@@ -154,7 +154,7 @@ Result<CubeHeader> parse_cube_header(std::string_view text) {
     return fail("line 1", "is not 'ENVI'", "give a header in ENVI's format");
   const auto fields = fields_of(text);
   if (!fields) return tl::unexpected(fields.error());
-  constexpr std::uint64_t kMostSide = 16384, kMostOffset = std::uint64_t(1) << 32;
+  constexpr std::uint64_t kMaxSide = 16384, kMaxOffset = std::uint64_t(1) << 32;
   CubeHeader header;
   std::uint64_t type = 0, order = 0;
   struct Number {
@@ -164,10 +164,10 @@ Result<CubeHeader> parse_cube_header(std::string_view text) {
     std::optional<std::uint64_t> usual;
   };
   for (const Number& number :
-       {Number{"samples", &header.width, 1, kMostSide, {}},
-        Number{"lines", &header.height, 1, kMostSide, {}},
-        Number{"bands", &header.bands, 1, kMostBands, {}}, Number{"data type", &type, 1, 15, {}},
-        Number{"header offset", &header.offset, 0, kMostOffset, 0},
+       {Number{"samples", &header.width, 1, kMaxSide, {}},
+        Number{"lines", &header.height, 1, kMaxSide, {}},
+        Number{"bands", &header.bands, 1, kMaxBands, {}}, Number{"data type", &type, 1, 15, {}},
+        Number{"header offset", &header.offset, 0, kMaxOffset, 0},
         Number{"byte order", &order, 0, 1, 0}}) {
     const auto value = number_in(*fields, number.name, number.least, number.most, number.usual);
     if (!value) return tl::unexpected(value.error());
@@ -225,7 +225,7 @@ std::vector<std::byte> cube_bytes(const Bands& bands) {
 }
 
 Result<void> check_cube_size(const CubeHeader& header, std::uint64_t bytes) {
-  if (bytes >= header.bytes() && bytes - header.bytes() <= kMostTrailingBytes) return {};
+  if (bytes >= header.bytes() && bytes - header.bytes() <= kMaxTrailingBytes) return {};
   return fail("the cube",
               fmt::format("has {} bytes, but its header requires {}", bytes, header.bytes()),
               "give the complete file, or the header that belongs to it");

@@ -41,10 +41,10 @@ struct CubeHeader {
   std::uint64_t bytes() const { return offset + width * height * bands * bytes_of_sample(); }
 };
 
-inline constexpr std::uint64_t kMostBands = 512;
+inline constexpr std::uint64_t kMaxBands = 512;
 
 // Refused: no "ENVI" at the beginning of the text; samples, lines, bands or data type that are
-// missing, not numbers or beyond 16384 px and kMostBands; complex numbers; an unknown interleave; a
+// missing, not numbers or beyond 16384 px and kMaxBands; complex numbers; an unknown interleave; a
 // number of names other than the number of bands.
 Result<CubeHeader> parse_cube_header(std::string_view text);
 
@@ -53,8 +53,8 @@ std::string cube_header_text(const Bands& bands);
 std::vector<std::byte> cube_bytes(const Bands& bands);
 
 // How many bytes may follow the numbers in the file.
-inline constexpr std::uint64_t kMostTrailingBytes = 1 << 20;
-// Refused: fewer bytes than the header demands, or more than kMostTrailingBytes bytes too many.
+inline constexpr std::uint64_t kMaxTrailingBytes = 1 << 20;
+// Refused: fewer bytes than the header demands, or more than kMaxTrailingBytes bytes too many.
 Result<void> check_cube_size(const CubeHeader& header, std::uint64_t bytes);
 // Decodes the numbers, and refuses what check_cube_size refuses. Bands without a name are named
 // "band 1", "band 2" ...

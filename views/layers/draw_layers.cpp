@@ -373,7 +373,7 @@ std::vector<int> visiting_order(double epipole, double w, int count) {
 int threads_that_draw(const LayerCamera& from, const LayerCamera& to, const LayerDrawing& drawing) {
   if (drawing.order == LayerOrder::kOcclusion) return 1;
   const std::size_t canvases =
-      kMostCanvasBytes / (sizeof(SampleKey) * Canvas::keys_of(to.width, to.height));
+      kMaxCanvasBytes / (sizeof(SampleKey) * Canvas::keys_of(to.width, to.height));
   const int tasks = (from.height + kRowsOfTask - 1) / kRowsOfTask;
   const int useful = std::min(tasks, int(std::min<std::size_t>(canvases, 1u << 30)));
   return std::clamp(drawing.threads, 1, std::max(useful, 1));

@@ -80,8 +80,8 @@ private:
 
 // threads_that_draw() returns how many threads draw: as many as are requested, but fewer if there
 // is less work, or if their canvases, of 8 bytes for each pixel, would together be larger than
-// kMostCanvasBytes. (A single thread always gets its canvas.) kOcclusion uses one thread.
-inline constexpr std::size_t kMostCanvasBytes = std::size_t(1) << 30;
+// kMaxCanvasBytes. (A single thread always gets its canvas.) kOcclusion uses one thread.
+inline constexpr std::size_t kMaxCanvasBytes = std::size_t(1) << 30;
 int threads_that_draw(const LayerCamera& from, const LayerCamera& to, const LayerDrawing& drawing);
 
 // Draws a single picture; to draw several pictures of one image, keep a LayerDrawer.

@@ -21,11 +21,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 using EyeF = hn::CappedTag<float, 16>;
 using EyeI = hn::RebindToSigned<EyeF>;
 using EyeU = hn::RebindToUnsigned<EyeF>;
-constexpr int kMostEyeLanes = 16;
+constexpr int kMaxEyeLanes = 16;
 
 // Two neighbouring pixels belong to one surface if the warp changes the distance of their centres,
 // 1 px, by less than half a pixel.
-constexpr float kLeastStep = 0.5f, kMostStep = 1.5f;
+constexpr float kMinStep = 0.5f, kMaxStep = 1.5f;
 // px; on a steep surface, the centres of neighbouring pixels may be this far apart.
 constexpr float kSteepStep = 4;
 
@@ -94,8 +94,8 @@ struct RowWarp {
   bool joined(int i) const {
     if (!both_there(i)) return false;
     const float own = step(i);
-    if (own > kLeastStep && own < kMostStep) return true;
-    if (!(own > kLeastStep && own < kSteepStep)) return false;
+    if (own > kMinStep && own < kMaxStep) return true;
+    if (!(own > kMinStep && own < kSteepStep)) return false;
     const auto as_steep = [&](int k) {
       return both_there(k) && std::abs(step(k) - own) * 4 <= own;
     };
@@ -179,7 +179,7 @@ void warp_row(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scra
   // rest of the last vector.
   const auto fill_places = [&](int begin, int end) HWY_ATTR {
     for (int i = begin; i < end; i += lanes) {
-      HWY_ALIGN std::uint32_t rest[kMostEyeLanes] = {};
+      HWY_ALIGN std::uint32_t rest[kMaxEyeLanes] = {};
       const std::uint32_t* from = row.depth + i;
       if (i + lanes > row.width) {
         std::copy(from, row.depth + row.width, rest);
@@ -210,10 +210,10 @@ void warp_row(const EyeShift& shift, const EyeRow& row, float* HWY_RESTRICT scra
   const RowWarp row_warp{place, nearness, row.color, row.width, row.is_first, target};
   row_warp.warp_pixel(0);
   int i = 1;
-  const auto least = hn::Set(f, kLeastStep), most = hn::Set(f, kMostStep);
-  HWY_ALIGN std::int32_t to[kMostEyeLanes];
-  HWY_ALIGN std::uint32_t color[kMostEyeLanes];
-  HWY_ALIGN std::uint32_t depth[kMostEyeLanes];
+  const auto least = hn::Set(f, kMinStep), most = hn::Set(f, kMaxStep);
+  HWY_ALIGN std::int32_t to[kMaxEyeLanes];
+  HWY_ALIGN std::uint32_t color[kMaxEyeLanes];
+  HWY_ALIGN std::uint32_t depth[kMaxEyeLanes];
   for (; i + lanes < row.width; i += lanes) {
     if (hn::AllTrue(u, is_empty(i - 1)) && is_plain(i, i) && is_plain(i + 1, i)) {
       // A run of empty pixels, or of background of one colour, is also a run in the other picture,

@@ -79,8 +79,8 @@ Result<Camera> camera_of_pinhole(const PinholeCamera& pinhole, int width, int he
 }
 
 Result<std::vector<NamedCamera>> read_cameras(const std::string& file) {
-  constexpr std::uint64_t kMostBytes = 16 << 20;
-  const auto bytes = read_file(file, kMostBytes);
+  constexpr std::uint64_t kMaxBytes = 16 << 20;
+  const auto bytes = read_file(file, kMaxBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   auto cameras = parse_cameras({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
   if (!cameras) return tl::unexpected(in_file(file, cameras.error()));

@@ -10,7 +10,7 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr std::uint32_t kMostInLeaf = 4;
+constexpr std::uint32_t kMaxInLeaf = 4;
 // Splits on the first levels of the tree, up to this many, may be uneven. Deeper splits halve the
 // number of triangles, so that 32 more levels are enough for any number.
 constexpr int kUnevenSplits = 60;
@@ -87,7 +87,7 @@ public:
     caster.order_.resize(boxes_.size());
     std::iota(caster.order_.begin(), caster.order_.end(), 0u);
     const auto all = std::uint32_t(boxes_.size());
-    if (all <= kMostInLeaf) return;
+    if (all <= kMaxInLeaf) return;
     caster.nodes_.emplace_back();
     fill(0, {0, split(0, all, 0), all}, 1);
   }
@@ -100,7 +100,7 @@ private:
       const std::uint32_t begin = places[side], end = places[side + 1];
       RayCaster::Node node = caster_.nodes_[number];
       set_box(node, side, box_of_range(begin, end));
-      const bool is_leaf = end - begin <= kMostInLeaf;
+      const bool is_leaf = end - begin <= kMaxInLeaf;
       node.first[side] = is_leaf ? begin : std::uint32_t(caster_.nodes_.size());
       node.count[side] = is_leaf ? end - begin : 0;
       caster_.nodes_[number] = node;

@@ -18,7 +18,7 @@ namespace glassbox::views {
 
 // A hit takes 24 bytes of memory until all rays are cast, which is 1.5 GB if each of this many rays
 // has one.
-inline constexpr std::uint64_t kMostRays = std::uint64_t(1) << 26;
+inline constexpr std::uint64_t kMaxRays = std::uint64_t(1) << 26;
 
 // A ray is given by four numbers in [0, 1]: two for its start on the front face of a cube around
 // the eye, and two for its direction. Equal volumes in the space of these numbers correspond to

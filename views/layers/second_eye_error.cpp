@@ -17,12 +17,12 @@ namespace {
 // machine disturbs all of them alike.
 template <std::size_t N>
 std::array<double, N> quartiles_ms(const std::array<std::function<void()>, N>& runs) {
-  constexpr std::size_t kMostTimes = 15, kLeastTimes = 3;
-  constexpr double kMostMs = 2000;
+  constexpr std::size_t kMaxTimes = 15, kMinTimes = 3;
+  constexpr double kMaxMs = 2000;
   std::array<std::vector<double>, N> times;
   const double begin = processor_ms();
-  while (times[0].size() < kLeastTimes ||
-         (times[0].size() < kMostTimes && processor_ms() - begin < kMostMs)) {
+  while (times[0].size() < kMinTimes ||
+         (times[0].size() < kMaxTimes && processor_ms() - begin < kMaxMs)) {
     for (std::size_t k = 0; k < N; ++k) {
       const double start = processor_ms();
       runs[k]();

@@ -21,7 +21,7 @@ using F = hn::CappedTag<float, 16>;
 using I = hn::RebindToSigned<F>;
 using U = hn::RebindToUnsigned<F>;
 using Floats = hn::Vec<F>;
-constexpr int kMostLanes = 16;
+constexpr int kMaxLanes = 16;
 
 // Screen positions of samples i .. i + lanes - 1, after the division by w.
 struct ScreenPoints {
@@ -77,8 +77,8 @@ void points(const WarpBlock& block, int margin, const KeyCanvas& canvas, BlockCo
   const auto stride = hn::Set(d, canvas.stride()), origin = hn::Set(d, canvas.stride() + 1);
   // Samples that are not drawn are written here, which avoids a branch.
   const auto discarded = hn::Set(d, canvas.discard_index());
-  HWY_ALIGN std::int32_t place[kMostLanes];
-  HWY_ALIGN std::uint32_t depth[kMostLanes];
+  HWY_ALIGN std::int32_t place[kMaxLanes];
+  HWY_ALIGN std::uint32_t depth[kMaxLanes];
   for (int i = 0; i < block.count; i += lanes) {
     const ScreenPoints at = screen_points(block, i);
     const auto column = hn::Floor(at.x), row = hn::Floor(at.y);

@@ -17,11 +17,11 @@ namespace {
 // A differing bit of two census words costs 1. Words of unrelated pixels differ in 16 of 32 bits on
 // average, with a standard deviation of about 3, so differences of more than 24 bits need not be
 // told apart. The penalties are about 1/16 of those of the other sweeps, where a bit costs 16.
-constexpr int kMostBits = 24;
+constexpr int kMaxBits = 24;
 constexpr Penalties kPenalties{.p1 = 6, .p2 = 60, .p2_least = 12, .half_at = 10};
 constexpr int kPaths = 3;
 static_assert(kDisparityLanes % kByteLanes == 0);
-static_assert(kPaths * (kMostBits + kPenalties.p2) < kNoMatchCost);
+static_assert(kPaths * (kMaxBits + kPenalties.p2) < kNoMatchCost);
 
 constexpr int kLanes = kByteLanes;
 
@@ -128,7 +128,7 @@ private:
                 .grey_above = begins ? grey : grey - width_,
                 .jumps = jumps_.data(),
                 .p1 = std::uint8_t(kPenalties.p1),
-                .most_bits = kMostBits,
+                .most_bits = kMaxBits,
                 .costs = costs_.data(),
                 .above = above_.data() + kLanes,
                 .least_above = least_above_.data(),

@@ -12,8 +12,8 @@ namespace glassbox::views {
 namespace {
 
 // Limits between which floats have full precision.
-constexpr double kLeastDepth = std::numeric_limits<float>::min(),
-                 kMostDepth = std::numeric_limits<float>::max();
+constexpr double kMinDepth = std::numeric_limits<float>::min(),
+                 kMaxDepth = std::numeric_limits<float>::max();
 
 }  // namespace
 
@@ -57,7 +57,7 @@ Image<float> depths_of(const Image<float>& disparity, const Calibration& calibra
     const double parallax = double(disparity.pixels[i]) + calibration.offset_px;
     if (!std::isfinite(parallax) || parallax == 0) continue;
     const double depth = product / parallax;
-    if (depth >= kLeastDepth && depth <= kMostDepth) depths.pixels[i] = float(depth);
+    if (depth >= kMinDepth && depth <= kMaxDepth) depths.pixels[i] = float(depth);
   }
   return depths;
 }

@@ -79,7 +79,7 @@ CensusPlanes similar_neighbours(const ColorPlanes& picture, Target target) {
   const PaddedPlane r(picture.r, picture.width, picture.height),
       g(picture.g, picture.width, picture.height), b(picture.b, picture.width, picture.height);
   return planes_of_rows(picture, [&](int y, const CensusPointers<std::uint8_t>& out) {
-    kernels.similar({r.around(y), g.around(y), b.around(y)}, kSimilarColor, kLeastSimilar,
+    kernels.similar({r.around(y), g.around(y), b.around(y)}, kSimilarColor, kMinSimilar,
                     picture.width, out);
   });
 }

@@ -27,10 +27,10 @@ CensusPlanes darker_neighbours(const ColorPlanes& picture, Target target);
 
 // Each bit says whether the neighbour is similar: all its channels differ from the centre's by at
 // most kSimilarColor. A similar neighbour is likely to be on the same surface, and so to have the
-// centre's disparity. If fewer than kLeastSimilar neighbours are similar, the cause is more likely
+// centre's disparity. If fewer than kMinSimilar neighbours are similar, the cause is more likely
 // a strong texture than a narrow surface, and the bits of all neighbours are set.
 inline constexpr std::uint8_t kSimilarColor = 30;  // sRGB codes (0 .. 255)
-inline constexpr std::uint8_t kLeastSimilar = 12;
+inline constexpr std::uint8_t kMinSimilar = 12;
 CensusPlanes similar_neighbours(const ColorPlanes& picture, Target target);
 
 }  // namespace glassbox::views

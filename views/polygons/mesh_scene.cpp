@@ -23,7 +23,7 @@ void add_number(std::string& text, std::uint32_t value) {
 
 }  // namespace
 
-// Corners of the surface are at least kLeastStep of a voxel away from the lattice's corners, so two
+// Corners of the surface are at least kMinStep of a voxel away from the lattice's corners, so two
 // corners that are near the same lattice corner are at least that far apart along an axis. Floats
 // keep them apart, in whatever direction they are rounded, if the distance between neighbouring
 // floats is less than a fourth of that.
@@ -34,7 +34,7 @@ Result<void> check_floats(const VoxelGrid& grid) {
                                   (corner >> 2) * grid.count[2]);
     farthest = std::max(farthest, p.cwiseAbs().maxCoeff());
   }
-  if (farthest * 0x1p-23 < grid.size * kLeastStep / 4) return {};
+  if (farthest * 0x1p-23 < grid.size * kMinStep / 4) return {};
   return fail("--box",
               fmt::format("voxels of size {:.3g} are {:.3g} from the origin, so far that the "
                           "floats in the file cannot distinguish their corners",

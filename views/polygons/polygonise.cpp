@@ -217,7 +217,7 @@ std::string_view name_of(Polygoniser polygoniser) {
 double crossing(double from, double to, double level) {
   // Outside of the lattice there is no value to interpolate with, so the surface is half way.
   if (std::isinf(from) || std::isinf(to)) return 0.5;
-  return std::clamp((level - from) / (to - from), kLeastStep, 1 - kLeastStep);
+  return std::clamp((level - from) / (to - from), kMinStep, 1 - kMinStep);
 }
 
 PolygonMesh polygonise(const ScalarField& field, double level, Polygoniser polygoniser) {

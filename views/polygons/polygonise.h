@@ -3,7 +3,7 @@
 //
 // A value equal to the level is inside, as if it were larger by an infinitely small amount (C-96).
 // The surface's corners are on edges of the lattice between an inside and an outside end, at least
-// kLeastStep of the edge away from both. So each is in the interior of its own edge, and no two are
+// kMinStep of the edge away from both. So each is in the interior of its own edge, and no two are
 // at the same place. Three points in the interiors of three edges of a cube are never on one line
 // (the middle one would be between two points of the cube that are not on its edge), so no triangle
 // is degenerate.
@@ -29,7 +29,7 @@ enum class Polygoniser {
 };
 std::string_view name_of(Polygoniser polygoniser);
 
-inline constexpr double kLeastStep = 0x1p-10;  // as a fraction of an edge
+inline constexpr double kMinStep = 0x1p-10;  // as a fraction of an edge
 
 using PolygonCorners = std::array<std::uint32_t, 3>;
 

@@ -21,12 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostText = std::uint64_t(1) << 28;
+constexpr std::uint64_t kMaxText = std::uint64_t(1) << 28;
 constexpr std::string_view kMiddlebury = "_par.txt";
 constexpr const char *kRingFile = "ring_par.txt", *kBoxFile = "box.txt";
 
 Result<std::string> text_of(const fs::path& path) {
-  return read_file(path.string(), kMostText).map([](const std::vector<std::byte>& bytes) {
+  return read_file(path.string(), kMaxText).map([](const std::vector<std::byte>& bytes) {
     return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   });
 }
@@ -262,10 +262,10 @@ Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOpt
   if (!all) return tl::unexpected(all.error());
   const auto cameras = select_cameras(std::move(*all), file.string(), options.chosen);
   if (!cameras) return tl::unexpected(cameras.error());
-  if (cameras->empty() || cameras->size() > std::size_t(kMostRingViews)) {
+  if (cameras->empty() || cameras->size() > std::size_t(kMaxRingViews)) {
     return tl::unexpected(Error{
         file.string(), "",
-        fmt::format("has {} cameras, but 1 to {} are possible", cameras->size(), kMostRingViews),
+        fmt::format("has {} cameras, but 1 to {} are possible", cameras->size(), kMaxRingViews),
         "choose fewer cameras, but at least one"});
   }
   PictureSet set{file.string(), {}, {}};

@@ -51,7 +51,7 @@ struct PictureSetOptions {
 // of these files. Pictures are in the same folder or below it (images/ too), mattes in masks/ under
 // the same names. Refused: cameras that parse_cameras or parse_colmap refuses, pictures that are
 // missing or outside of the folder, mattes of another size than their picture, fewer than one
-// camera or more than kMostRingViews, and pictures that would need more than `most_bytes` (checked
+// camera or more than kMaxRingViews, and pictures that would need more than `most_bytes` (checked
 // before they are decoded).
 Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOptions& options);
 

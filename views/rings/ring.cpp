@@ -7,18 +7,18 @@
 #include <Eigen/Geometry>
 
 #include <glassbox/base/trig.h>
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 
 namespace glassbox::views {
 
 namespace {
 
-constexpr int kMostDegrees = 3600;
+constexpr int kMaxStartDegrees = 3600;
 
 Result<void> check_options(const RingOptions& options) {
   if (options.views < 1 || options.elevations.empty() ||
-      std::int64_t(options.views) * std::int64_t(options.elevations.size()) > kMostRingViews) {
-    return fail("--views", fmt::format("a ring has 1 to {} pictures", kMostRingViews),
+      std::int64_t(options.views) * std::int64_t(options.elevations.size()) > kMaxRingViews) {
+    return fail("--views", fmt::format("a ring has 1 to {} pictures", kMaxRingViews),
                 "ask for a number in this range");
   }
   if (!(options.fov_degrees > 0 && options.fov_degrees < 180))
@@ -36,10 +36,11 @@ Result<void> check_options(const RingOptions& options) {
   if (options.pair_separation &&
       !(*options.pair_separation > 0 && std::isfinite(*options.pair_separation)))
     return fail("--pairs", "the two cameras of a pair must be apart", "give a positive separation");
-  if (!std::isfinite(options.start_degrees) || std::abs(options.start_degrees) > kMostDegrees)
-    return fail("--start",
-                fmt::format("the first camera's angle must be at most {} degrees", kMostDegrees),
-                "give 0 to begin at the front");
+  if (!std::isfinite(options.start_degrees) || std::abs(options.start_degrees) > kMaxStartDegrees)
+    return fail(
+        "--start",
+        fmt::format("the first camera's angle must be at most {} degrees", kMaxStartDegrees),
+        "give 0 to begin at the front");
   if (!(options.up.norm() > 0) || !std::isfinite(options.up.norm()))
     return fail("--up", "up must be a direction of finite length, not 0", "give 0,1,0");
   if (options.target && !options.target->allFinite())

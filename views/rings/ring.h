@@ -43,7 +43,7 @@ struct WorldBox {
 WorldBox box_of(const Scene& scene);
 std::array<Vector3d, 8> corners_of(const WorldBox& box);
 
-inline constexpr int kMostRingViews = 512;
+inline constexpr int kMaxRingViews = 512;
 
 // The views are named "view000.png", "view001.png"; with pairs "view000_left.png". Refused: a scene
 // that draws nothing, numbers out of range, `up` parallel to a direction of view.

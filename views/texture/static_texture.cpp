@@ -57,7 +57,7 @@ Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& sur
                                   double most_bytes) {
   const std::vector<WorldTriangle> triangles = world_triangles(scene);
   const Atlas atlas(triangles.size(), texels);
-  constexpr int kMostSide = 16384;
+  constexpr int kMaxSide = 16384;
   const auto refused = [&](const std::string& cause, const char* remedy) {
     return fail("--texels",
                 fmt::format("{} triangles, each pair in a square of {} texels along a side, need a "
@@ -65,8 +65,8 @@ Result<Scene> with_static_texture(const Scene& scene, const TexturedSurface& sur
                             triangles.size(), texels, atlas.width(), atlas.height(), cause),
                 remedy);
   };
-  if (atlas.width() > kMostSide || atlas.height() > kMostSide)
-    return refused(fmt::format(", but a side can have at most {}", kMostSide),
+  if (atlas.width() > kMaxSide || atlas.height() > kMaxSide)
+    return refused(fmt::format(", but a side can have at most {}", kMaxSide),
                    "ask for fewer texels");
   const double bytes = static_texture_bytes(triangles.size(), texels);
   if (bytes > most_bytes)

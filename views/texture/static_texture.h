@@ -6,7 +6,7 @@
 
 namespace glassbox::views {
 
-inline constexpr int kLeastTexels = 4, kMostTexels = 64;
+inline constexpr int kMinTexels = 4, kMaxTexels = 64;
 
 // Bytes needed for the texture and for writing it to a file.
 double static_texture_bytes(std::size_t triangles, int texels);

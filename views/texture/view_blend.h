@@ -18,11 +18,11 @@ enum class Blend {
 };
 std::string_view name_of(Blend blend);
 
-inline constexpr int kMostNeighbours = 16;
+inline constexpr int kMaxNeighbours = 16;
 
 class ViewBlend {
 public:
-  // Directions are unit vectors from the object's middle. `neighbours`, 1 to kMostNeighbours, is
+  // Directions are unit vectors from the object's middle. `neighbours`, 1 to kMaxNeighbours, is
   // used by kNeighbours.
   ViewBlend(Blend blend, std::vector<Vector3d> directions, int neighbours = 4);
 

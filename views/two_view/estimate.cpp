@@ -15,7 +15,7 @@ namespace glassbox::views {
 
 namespace {
 
-constexpr int kMostRounds = 20;
+constexpr int kMaxRounds = 20;
 
 std::vector<bool> inliers_within(const Matrix3d& fundamental, const Matches& pixels,
                                  double threshold) {
@@ -52,7 +52,7 @@ template <class Model, class Refine, class FundamentalOf>
 void refine_until_stable(const Matches& pixels, double threshold, const Refine& refine,
                          const FundamentalOf& fundamental, Model& model,
                          std::vector<bool>& is_inlier) {
-  for (int round = 0; round < kMostRounds && count(is_inlier) >= 8; ++round) {
+  for (int round = 0; round < kMaxRounds && count(is_inlier) >= 8; ++round) {
     model = refine(model, inliers_of(pixels, is_inlier));
     std::vector<bool> next = inliers_within(fundamental(model), pixels, threshold);
     if (next == is_inlier) break;

@@ -145,9 +145,9 @@ Eigen::MatrixXd monomial_slopes_at(const Vector3d& at) {
 // Improves an approximate root by Gauss-Newton steps, as long as the residual of the equations
 // decreases.
 Vector3d improved(const Cubics& cubics, Vector3d at) {
-  constexpr int kMostSteps = 10;
+  constexpr int kMaxSteps = 10;
   Eigen::VectorXd residual = cubics * monomials_at(at);
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const Eigen::MatrixXd slopes = cubics * monomial_slopes_at(at);
     const Vector3d next = at - slopes.colPivHouseholderQr().solve(residual);
     const Eigen::VectorXd next_residual = cubics * monomials_at(next);

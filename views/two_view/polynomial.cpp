@@ -12,12 +12,12 @@ namespace {
 
 // Newton's method, as long as it brings the value nearer to 0.
 double improved(const Eigen::VectorXd& coefficients, double x) {
-  constexpr int kMostSteps = 20;
+  constexpr int kMaxSteps = 20;
   const Eigen::Index degree = coefficients.size() - 1;
   Eigen::VectorXd slope(degree);
   for (Eigen::Index i = 0; i < degree; ++i) slope[i] = double(i + 1) * coefficients[i + 1];
   double value = polynomial_at(coefficients, x);
-  for (int step = 0; step < kMostSteps && value != 0; ++step) {
+  for (int step = 0; step < kMaxSteps && value != 0; ++step) {
     const double next = x - value / polynomial_at(slope, x);
     const double next_value = polynomial_at(coefficients, next);
     if (!(std::abs(next_value) < std::abs(value))) break;

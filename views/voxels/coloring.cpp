@@ -93,10 +93,10 @@ double bytes_needed(const PictureSet& set, const ColoringRequest& request,
 
 Result<void> check_request(const PictureSet& set, const ColoringRequest& request,
                            const ColoringPlan& plan) {
-  constexpr int kMostLevels = 6;
-  if (request.levels < 0 || request.levels > kMostLevels)
-    return fail("--levels",
-                fmt::format("the number of coarser levels must be 0 to {}", kMostLevels), "give 2");
+  constexpr int kMaxLevels = 6;
+  if (request.levels < 0 || request.levels > kMaxLevels)
+    return fail("--levels", fmt::format("the number of coarser levels must be 0 to {}", kMaxLevels),
+                "give 2");
   if (plan.order == ColoringOrder::kCarve && (request.levels > 0 || request.direction)) {
     return fail(request.levels > 0 ? "--levels" : "--direction",
                 request.order == ColoringOrder::kCarve

@@ -32,7 +32,7 @@ GridPicture grid_picture(const VoxelGrid& grid, const PackedPicture& picture) {
 bool is_finite(const GridPicture& lens) {
   // The position of the farthest voxel must be finite, too. It is a sum of three products and the
   // constant column, which are added in double before they are rounded.
-  const double most = lens.pixel_from_grid.cwiseAbs().maxCoeff() * (3.0 * kMostVoxelsAlong + 1);
+  const double most = lens.pixel_from_grid.cwiseAbs().maxCoeff() * (3.0 * kMaxVoxelsAlong + 1);
   return most <= double(std::numeric_limits<float>::max());
 }
 

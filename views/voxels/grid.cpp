@@ -30,10 +30,10 @@ Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes
     // own.
     constexpr double kRounding = 1e-9;
     const double along = std::ceil((high[axis] - low[axis]) / size - kRounding);
-    if (!(along <= kMostVoxelsAlong)) {
+    if (!(along <= kMaxVoxelsAlong)) {
       return fail(kVoxelOption,
                   fmt::format("the box has {:.4g} voxels along an axis, but {} are the most", along,
-                              kMostVoxelsAlong),
+                              kMaxVoxelsAlong),
                   "use larger voxels or a smaller box");
     }
     grid.count[std::size_t(axis)] = std::max(1, int(along));

@@ -48,11 +48,11 @@ struct VoxelGrid {
   }
 };
 
-inline constexpr int kMostVoxelsAlong = 4096;
+inline constexpr int kMaxVoxelsAlong = 4096;
 inline constexpr const char* kVoxelOption = "--voxel";
 
 // A grid of voxels of this size, along these axes, that covers the box. An error with kVoxelOption
-// in its message for sizes that are not positive, and for more than kMostVoxelsAlong voxels along
+// in its message for sizes that are not positive, and for more than kMaxVoxelsAlong voxels along
 // an axis.
 Result<VoxelGrid> grid_of(const WorldBox& box, double size, const Matrix3d& axes);
 

@@ -14,7 +14,7 @@ namespace glassbox::views::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Floats = hn::CappedTag<float, kMostLanes>;
+using Floats = hn::CappedTag<float, kMaxLanes>;
 using Ints = hn::RebindToSigned<Floats>;
 
 template <bool kSpread>

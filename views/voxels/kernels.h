@@ -21,7 +21,7 @@ struct RowPicture {
   const std::int32_t* spread;  // null if it is not needed
 };
 
-// The sums over the pictures for each voxel of a row; the arrays have room for kMostLanes more
+// The sums over the pictures for each voxel of a row; the arrays have room for kMaxLanes more
 // numbers than there are voxels.
 struct RowSums {
   // Number of pictures that see the voxel, or kIsBackground, or kIsInconsistent.
@@ -30,7 +30,7 @@ struct RowSums {
   std::int32_t *spread, *least_spread;
 };
 inline constexpr std::int32_t kIsBackground = -1, kIsInconsistent = -2;
-inline constexpr int kMostLanes = 16;
+inline constexpr int kMaxLanes = 16;
 
 struct VoxelKernels {
   // Sums over voxels first .. first + count - 1. A voxel is given up when it is background in one

@@ -229,9 +229,9 @@ void Sweep::classify_runs(std::span<const VoxelRun> runs, std::size_t first_run,
   const VoxelBox box = box_of_runs(runs);
   // If runs are short or far apart, testing the box around them saves little, so each run is tested
   // by itself. Runs in the cells of a coarser level are like that.
-  constexpr std::int64_t kMostEmpty = 2, kLeastParts = 4;
-  if (!is_one_axis || voxels_of(box) > kMostEmpty * voxels ||
-      voxels < kLeastParts * kPart * std::int64_t(runs.size())) {
+  constexpr std::int64_t kMaxEmpty = 2, kMinParts = 4;
+  if (!is_one_axis || voxels_of(box) > kMaxEmpty * voxels ||
+      voxels < kMinParts * kPart * std::int64_t(runs.size())) {
     block.open.resize(active_.size());
     std::iota(block.open.begin(), block.open.end(), std::size_t(0));
     for (std::size_t r = 0; r < runs.size(); ++r)
@@ -294,8 +294,8 @@ void Sweep::classify_part(const Part& part, Block& block) {
         (trial + 1) * std::size_t(kPicturesBetweenTrials) <= active_.size();
   }
   for (auto& sums : block.sums) {
-    if (sums.size() < std::size_t(part.count + kMostLanes))
-      sums.resize(std::size_t(part.count + kMostLanes));
+    if (sums.size() < std::size_t(part.count + kMaxLanes))
+      sums.resize(std::size_t(part.count + kMaxLanes));
   }
   const RowSums out{block.sums[0].data(), block.sums[1].data(), block.sums[2].data(),
                     block.sums[3].data(), block.sums[4].data(), block.sums[5].data(),

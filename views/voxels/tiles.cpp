@@ -131,13 +131,13 @@ std::optional<PixelRect> rect_of(const GridPicture& lens, const VoxelBox& box) {
   }
   // The rectangle is enlarged by one pixel on each side. Half a pixel is for the rounding in float,
   // the other half for the computation in double here.
-  constexpr double kMostOff = 0.5;
+  constexpr double kMaxOff = 0.5;
   const double least = nearest - reach.z();
   const double farthest =
       std::max({std::abs(left), std::abs(right), std::abs(top), std::abs(bottom)});
   const double off =
       (std::max(reach.x(), reach.y()) + farthest * reach.z()) / least + kRounding * farthest;
-  if (!(least > 0) || !(off <= kMostOff)) return std::nullopt;
+  if (!(least > 0) || !(off <= kMaxOff)) return std::nullopt;
   return PixelRect{std::int64_t(std::floor(left)) - 1, std::int64_t(std::floor(top)) - 1,
                    std::int64_t(std::floor(right)) + 1, std::int64_t(std::floor(bottom)) + 1};
 }

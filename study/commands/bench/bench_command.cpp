@@ -30,7 +30,7 @@ namespace glassbox::study {
 namespace {
 
 constexpr const char* kPeerCommand = "bench-peer";
-constexpr int kMostFrames = 100000;
+constexpr int kMaxBenchFrames = 100000;
 
 std::vector<int> parse_threads(const std::string& text) {
   std::vector<int> all;
@@ -38,10 +38,10 @@ std::vector<int> parse_threads(const std::string& text) {
     int threads = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), threads);
     const bool number = error == std::errc() && end == word.data() + word.size();
-    if (!number || threads < 1 || threads > kMostThreads) {
-      throw CLI::ValidationError("--threads",
-                                 fmt::format("needs numbers from 1 to {}, such as 1,2; not '{}'",
-                                             kMostThreads, printable(word, 100)));
+    if (!number || threads < 1 || threads > kMaxThreads) {
+      throw CLI::ValidationError(
+          "--threads", fmt::format("needs numbers from 1 to {}, such as 1,2; not '{}'", kMaxThreads,
+                                   printable(word, 100)));
     }
     all.push_back(threads);
   }
@@ -89,7 +89,7 @@ void BenchCommand::add_measure_options(CLI::App& command) {
       "also draw the frames, in turn, with this other renderer (the peer), and compare the "
       "pictures; opencv: compare the matching of picture pairs instead (see views match)");
   command.add_option("--frames", frames_, "measured frames of Glassbox and of the peer [9]")
-      ->check(CLI::Range(1, kMostFrames))
+      ->check(CLI::Range(1, kMaxBenchFrames))
       ->type_name("N");
   add_bench_drawing(command, drawing_);
   size_option_ = command.get_option("--size");

@@ -60,7 +60,7 @@ TriangleCoverage tile_engine_coverage(const std::vector<ScreenTriangle>& all, in
 Tiled naive_tiles(const naive::TileRules& rules) {
   return [rules](const std::vector<ScreenTriangle>& all, int side, int) {
     TriangleCoverage drawn = naive::drawn_by_tiles(all, kSide, side, rules);
-    for (int& times : drawn.times.pixels) times = std::min(times, kMostLayers);
+    for (int& times : drawn.times.pixels) times = std::min(times, kMaxLayers);
     return drawn;
   };
 }

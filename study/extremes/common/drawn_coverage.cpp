@@ -46,7 +46,7 @@ TriangleCoverage covered_exactly(const std::vector<ScreenTriangle>& triangles, i
       for (int x = pixel(left); x < std::min(pixel(right) + 1, side); ++x) {
         if (!covers_exactly(t, x, y)) continue;
         if (exact.first.at(x, y) == 0) exact.first.at(x, y) = int(i) + 1;
-        exact.times.at(x, y) = std::min(exact.times.at(x, y) + 1, kMostLayers);
+        exact.times.at(x, y) = std::min(exact.times.at(x, y) + 1, kMaxLayers);
       }
     }
   }
@@ -73,7 +73,7 @@ Material layer_material() {
 // and rounds it to a byte: 0, 128, 192, 224, 240, 248.
 int layers_of(const Rgba8& color) {
   int layers = 0, byte = 0;
-  while (layers < kMostLayers && color.r > byte + (255 - byte) / 4) {
+  while (layers < kMaxLayers && color.r > byte + (255 - byte) / 4) {
     byte = (255 + byte + 1) / 2;
     ++layers;
   }

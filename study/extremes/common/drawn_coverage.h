@@ -16,10 +16,10 @@ namespace glassbox::study {
 std::vector<ScreenTriangle> on_lattice(std::vector<ScreenTriangle> triangles);
 
 // Layers are counted only up to this number.
-inline constexpr int kMostLayers = 5;
+inline constexpr int kMaxLayers = 5;
 
 // The pixels that the triangles cover in a picture of side x side pixels; `times` counts up to
-// kMostLayers. Triangles that are culled, which the sign of their snapped area decides, cover
+// kMaxLayers. Triangles that are culled, which the sign of their snapped area decides, cover
 // nothing.
 TriangleCoverage covered_exactly(const std::vector<ScreenTriangle>& triangles, int side,
                                  Cull cull = Cull::kNone);
@@ -55,7 +55,7 @@ private:
 Outcome worst_of(const std::vector<CoverageReference>& pictures, const TestedEngine& engine);
 
 // The number of half-transparent white layers on black, in a picture of linear bytes; the result is
-// at most kMostLayers.
+// at most kMaxLayers.
 int layers_of(const Rgba8& color);
 
 // Settings for pictures without light, with linear bytes and a black background.

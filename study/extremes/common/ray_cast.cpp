@@ -233,7 +233,7 @@ RayHits cast_ray(const RayScene& ray_scene, std::span<const std::size_t> candida
     }
   }
   hits.unambiguous = !(next - nearest <= Long(ray_scene.separation) * nearest);
-  hits.layers = std::min(hits.layers, kMostLayers);
+  hits.layers = std::min(hits.layers, kMaxLayers);
   return hits;
 }
 

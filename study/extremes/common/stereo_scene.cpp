@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/pipeline/framing.h>
 #include <glassbox/render/staged/staged.h>

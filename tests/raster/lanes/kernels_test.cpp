@@ -450,7 +450,7 @@ TEST_CASE("selecting keeps every triangle that covers a pixel, for the tiles whe
 
     for (const Target target : available_targets()) {
       INFO("target " << name_of(target) << ", round " << round);
-      std::vector<std::uint32_t> entries(job.count + kMostLanes);
+      std::vector<std::uint32_t> entries(job.count + kMaxLanes);
       std::vector<TilePlace> first(entries.size()), last(entries.size());
       SelectCounts counts;
       const std::size_t selected = kernels(target).select_triangles(

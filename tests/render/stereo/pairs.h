@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <glassbox/mesh/bounds.h>
+#include <glassbox/mesh/bounding_box.h>
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/framing.h>

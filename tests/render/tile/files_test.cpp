@@ -17,9 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 #if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t kMostCorners = 1 << 20;
+constexpr std::uint64_t kMaxCorners = 1 << 20;
 #else
-constexpr std::uint64_t kMostCorners = 1 << 14;
+constexpr std::uint64_t kMaxCorners = 1 << 14;
 #endif
 
 std::vector<fs::path> scene_files(const fs::path& folder) {
@@ -66,7 +66,7 @@ bool check_scene(const Result<Scene>& scene, std::size_t number) {
 LoadLimits test_limits() {
   LoadLimits limits;
   limits.max_image_pixels = 1 << 22;
-  limits.max_corners = kMostCorners;
+  limits.max_corners = kMaxCorners;
   return limits;
 }
 

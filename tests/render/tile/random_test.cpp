@@ -98,11 +98,11 @@ std::string difference_of_pairs(const GeneratedCase& c, const EyesOfCase& eyes) 
 // Checks small pictures, so that there can be many: masks, blending, ties, several samples, and
 // meshes that are mirrored, sheared or far away. Returns how many cases also had a pair of eyes.
 std::size_t check_small_cases(std::uint64_t first, std::uint64_t last) {
-  constexpr int kMostFaces = 24, kLargestSide = 40;
+  constexpr int kMaxFaces = 24, kLargestSide = 40;
   std::size_t pairs = 0;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     Random random(0x5ca1ab1e + seed);
-    GeneratedCase c = test::generate_case(random, kMostFaces, kLargestSide);
+    GeneratedCase c = test::generate_case(random, kMaxFaces, kLargestSide);
     test::check_no_difference(seed, c, difference_of_plans);
     if (const auto eyes = eyes_of(c, random)) {
       ++pairs;

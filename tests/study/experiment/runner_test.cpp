@@ -119,11 +119,10 @@ void spin() {
   for (int i = 0; i < 400000; ++i) sum = sum + i;
 }
 
-// A reference that takes one second, but a little more than kMostSlower times that in the named
+// A reference that takes one second, but a little more than kMaxSlower times that in the named
 // rounds.
 std::function<double()> reference_slow_in(const std::set<int>& rounds) {
-  return
-      [rounds, round = 0]() mutable { return rounds.contains(round++) ? 1.01 * kMostSlower : 1; };
+  return [rounds, round = 0]() mutable { return rounds.contains(round++) ? 1.01 * kMaxSlower : 1; };
 }
 
 TEST_CASE("a round in which the reference was slower is measured again, or flagged") {
@@ -208,7 +207,7 @@ TEST_CASE("works are repeated in turn, each round beginning one further on") {
     return [&order, number] {
       order.push_back(number);
       volatile double sum = 0;
-      for (int i = 0; i < 2000000; ++i) sum = sum + i;  // takes longer than kLeastSample
+      for (int i = 0; i < 2000000; ++i) sum = sum + i;  // takes longer than kMinSample
     };
   };
   time_in_turn({{work(0)}, {work(1)}, {work(2)}}, 4);
@@ -223,7 +222,7 @@ TEST_CASE("times are for one item, and a short work is called often enough to be
   int calls = 0;
   const auto times = time_in_turn({{[&calls] { ++calls; }, 1}}, 11);
   REQUIRE(times.size() == 1);
-  CHECK(calls > 11 * 100);  // a call takes a few nanoseconds, kLeastSample is 200 us
+  CHECK(calls > 11 * 100);  // a call takes a few nanoseconds, kMinSample is 200 us
   const auto pair = time_in_turn({{spin, 1}, {spin, 1000}}, 11);
   // The work is the same, so the ratio is a thousand apart from disturbances of the machine.
   CHECK(pair[0].ns.median / pair[1].ns.median > 100);

@@ -68,7 +68,7 @@ TEST_CASE("every error is within a factor of two of its theory, or the finding s
       CAPTURE(error, *c.predicted_error);
       const bool agrees = *c.predicted_error == 0
                               ? error == 0
-                              : error >= kLeastRatio * *c.predicted_error &&
+                              : error >= kMinRatio * *c.predicted_error &&
                                     error <= kGreatestRatio * *c.predicted_error;
       CHECK((agrees || (c.finding && c.finding->explains(error / *c.predicted_error))));
     }

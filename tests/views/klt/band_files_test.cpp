@@ -290,7 +290,7 @@ TEST_CASE("files that are none, cut off or of absurd sizes are refused with thei
   CHECK(read_bands({header}, 32));
   CHECK(refusal(read_bands({header}, 31)).find("--max-mb 1") != std::string::npos);
   // A little may follow the numbers, but not a whole disk.
-  std::filesystem::resize_file(numbers, 32 + kMostTrailingBytes);
+  std::filesystem::resize_file(numbers, 32 + kMaxTrailingBytes);
   CHECK(read_bands({header}, 32));
   std::filesystem::resize_file(numbers, std::uintmax_t(1) << 40);
   CHECK(refusal(read_bands({header}, 32)).find("has 1099511627776 bytes") != std::string::npos);

@@ -482,7 +482,7 @@ TEST_CASE("threads that have nothing to do, or no memory for a picture of their 
   to.height = 2160;
   const int threads = threads_that_draw(from, to, drawing);
   CHECK(threads > 1);
-  CHECK(std::size_t(threads) * 8 * 3840 * 2160 <= kMostCanvasBytes);
+  CHECK(std::size_t(threads) * 8 * 3840 * 2160 <= kMaxCanvasBytes);
   to.width = to.height = 16384;
   CHECK(threads_that_draw(from, to, drawing) == 1);
   drawing.order = LayerOrder::kOcclusion;

@@ -211,7 +211,7 @@ TEST_CASE(
 TEST_CASE(
     "barycentric weights change as little as the direction does, across edges and off the border; "
     "nearest jumps") {
-  constexpr double kStep = 1e-7, kLeastCosine = 0.05;
+  constexpr double kStep = 1e-7, kMinCosine = 0.05;
   Random random(42);
   for (const auto& directions : {any_directions(random, 30), ring_of_directions(16, 20),
                                  ring_of_directions(9, 0), any_directions(random, 3)}) {
@@ -222,18 +222,18 @@ TEST_CASE(
       const Vector3d from = any_direction(random), step = kStep * any_direction(random);
       // Farther than 90 degrees from every view, the nearest view has all the weight.
       const bool is_near = std::ranges::any_of(
-          directions, [&](const Vector3d& d) { return d.dot(from) > kLeastCosine; });
+          directions, [&](const Vector3d& d) { return d.dot(from) > kMinCosine; });
       if (!is_near) continue;
       most = std::max(most,
                       difference(sphere.weights(from), sphere.weights((from + step).normalized())));
       ++asked;
     }
     CHECK(asked > 400);  // at least a tenth of the sphere is near
-    // A direction that is projected into the cone has at least the length kLeastCosine there, and
+    // A direction that is projected into the cone has at least the length kMinCosine there, and
     // its change does not grow. Three numbers w express it, whose sum is at least that length, and
     // each changes by at most the step over the height of its corner; so w_i / sum changes by (1 +
     // 3) times that, divided by the sum.
-    const double bound = 4 * kStep / (kLeastCosine * least_height(sphere, directions));
+    const double bound = 4 * kStep / (kMinCosine * least_height(sphere, directions));
     CHECK(bound < 0.1);
     CHECK(most < bound);
   }

@@ -19,7 +19,7 @@
 
 namespace tbb {
 
-inline constexpr int kMostThreads = 64;
+inline constexpr int kMaxThreads = 64;
 
 struct Worker {
   int arena_size = 1;  // number of threads that work together
@@ -41,7 +41,7 @@ public:
 
 class task_arena {
 public:
-  explicit task_arena(int threads) : threads_(std::min(threads, kMostThreads)) {}
+  explicit task_arena(int threads) : threads_(std::min(threads, kMaxThreads)) {}
 
   template <class Work>
   void execute(const Work& work) const {
@@ -136,7 +136,7 @@ public:
 
 private:
   std::function<T()> make_;
-  std::array<std::optional<T>, kMostThreads> all_;
+  std::array<std::optional<T>, kMaxThreads> all_;
 };
 
 }  // namespace tbb
