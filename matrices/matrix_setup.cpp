@@ -60,4 +60,22 @@ GuessedDialect guess_dialect(const GivenMatrix& projection) {
   return guess("d3d", "with depth 0 .. 1 the projection has " + planes);
 }
 
+NamedSetup setup_of(const OwnMatrices& matrices) {
+  NamedSetup named;
+  named.setup.model = matrices.model;
+  named.setup.view = matrices.view;
+  named.setup.projection = matrices.projection;
+  named.setup.world = matrices.world;
+  named.setup.front = matrices.front;
+  if (matrices.dialect != nullptr) {
+    named.setup.dialect = *matrices.dialect;
+    named.dialect_reason = "as given";
+  } else {
+    const GuessedDialect guess = guess_dialect(matrices.projection);
+    named.setup.dialect = *guess.dialect;
+    named.dialect_reason = "guessed: " + guess.reason;
+  }
+  return named;
+}
+
 }  // namespace glassbox

@@ -136,9 +136,14 @@ Result<void> check_float_range(const Projected& p) {
 
 }  // namespace
 
+Result<void> check_picture_size(int width, int height) {
+  return check_size(width, "width").and_then([&] { return check_size(height, "height"); });
+}
+
 Result<View> make_view(const Camera& camera, int width, int height, DepthRange depth_range) {
-  if (const Result<void> ok = check_size(width, "width"); !ok) return tl::unexpected(ok.error());
-  if (const Result<void> ok = check_size(height, "height"); !ok) return tl::unexpected(ok.error());
+  if (const Result<void> ok = check_picture_size(width, height); !ok) {
+    return tl::unexpected(ok.error());
+  }
   const Result<Transform<World, Eye>> pose = rigid_pose(camera.world_from_eye);
   if (!pose) return tl::unexpected(pose.error());
   const Pixels size{double(width), double(height)};

@@ -20,6 +20,9 @@ struct View {
   bool perspective = true;  // false: parallel projection, w = 1 everywhere
   double near = 0.1;        // world units along the gaze
   double far = std::numeric_limits<double>::infinity();
+  // Whether the front faces of a model that is not mirrored run clockwise on the screen. They do if
+  // the view's matrices mirror the world, or if a graphics API is set so.
+  bool front_clockwise = false;
 };
 
 // Images have 1 .. kMaxImageSide pixels in each direction.
@@ -30,6 +33,9 @@ inline constexpr int kMaxImageSide = 16384;
 // (C-12); a larger deviation is an error. Poses with a deviation of at most 16 u (u is the unit
 // roundoff, 2^-53) are used unchanged.
 inline constexpr double kRigidTolerance = 0x1p-10;
+
+// An error unless both sides have 1 .. kMaxImageSide pixels.
+Result<void> check_picture_size(int width, int height);
 
 // Checks the camera (near > 0 for perspective, near < far, 0 < fovy < 180 degrees, a rigid pose,
 // all numbers finite) and composes its matrices for an image of `width` x `height` pixels. Errors

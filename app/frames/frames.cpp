@@ -109,7 +109,10 @@ private:
 
   Result<void> load() {
     progress_.phase("loading " + scene_title(request_.scene));
-    Result<Scene> scene = load_scene_argument(request_.scene, request_.limits);
+    Result<Scene> scene =
+        load_scene_argument(request_.scene, request_.limits).and_then([&](Scene loaded) {
+          return with_model_matrix(std::move(loaded), request_.picture.matrices);
+        });
     if (!scene) return tl::unexpected(scene.error());
     scene_ = with_texture_filter(std::move(*scene), request_.picture);
     renderer_.emplace(make_renderer(scene_, request_.picture.settings, request_.engine));

@@ -239,6 +239,45 @@ std::string projection_difference_text(const SteppedTriangle& stepped) {
                   counted(ulps, "ulp"), other_floats(a, b)));
 }
 
+// ---- the user's own matrices ----
+
+// "your view matrix, view.txt, read by rows"
+std::string given_name(const char* what, const GivenMatrix& matrix) {
+  return fmt::format("your {}, {}", what, matrix.given ? matrix.origin : "the identity");
+}
+
+std::string given_view_text(const MatrixView& made) {
+  std::string text = sentence(given_name("view matrix", made.setup.view) + ": " +
+                              affine_sentence(matrix_facts(made.setup.view.m)));
+  if (made.looks_along_plus_z) {
+    text += rows(made.setup.view.m) +
+            sentence(
+                "your eye looks along +z, and Glassbox's along -z: eye_from_world is "
+                "diag(1, 1, -1, 1) times your matrix");
+  } else if (!made.eye_space_is_given) {
+    text += rows(made.setup.view.m) +
+            sentence(
+                "eye space is that of the eye found in your projection times your view: it "
+                "stands where x, y and w of clip space are 0, and looks where w grows");
+  }
+  return text + rows(made.view.eye_from_world.columns);
+}
+
+std::string given_projection_text(const MatrixView& made) {
+  const View& view = made.view;
+  std::string text = sentence(given_name("projection", made.setup.projection) + ", to the clip " +
+                              "space of " + made.setup.dialect.title) +
+                     rows(made.setup.projection.m);
+  if (!made.conversion.empty()) {
+    text += sentence("to Glassbox's clip space: " + made.conversion);
+  }
+  text += sentence(fmt::format(
+      "clip_from_eye: {}; near n = {}, far f = {}{}",
+      view.perspective ? "w is the distance along the gaze" : "w is 1", short_number(view.near, 9),
+      far_text(view.far), view.depth_range == DepthRange::kReversed ? ", reversed depth" : ""));
+  return text + rows(view.clip_from_eye.columns);
+}
+
 }  // namespace
 
 std::string model_factors_text(const Scene& scene, const Instance& instance) {
@@ -260,6 +299,7 @@ std::string model_factors_text(const Scene& scene, const Instance& instance) {
 
 std::string view_factors_text(const SteppedTriangle& stepped) {
   const ChosenView& chosen = stepped.chosen;
+  if (chosen.of_matrices) return given_view_text(*chosen.of_matrices);
   const bool turned = stepped.formulation.view == ViewForm::kAxisAngle;
   return (turned ? axis_angle_text(chosen.camera, chosen.view)
                  : axes_text(chosen.camera, chosen.view)) +
@@ -268,6 +308,7 @@ std::string view_factors_text(const SteppedTriangle& stepped) {
 
 std::string projection_factors_text(const SteppedTriangle& stepped) {
   const View& view = stepped.chosen.view;
+  if (stepped.chosen.of_matrices) return given_projection_text(*stepped.chosen.of_matrices);
   return lens_text(stepped.chosen.camera, view, stepped.formulation.projection) +
          projection_difference_text(stepped) + two_steps_text(view);
 }

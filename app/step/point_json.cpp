@@ -206,6 +206,7 @@ Json point_step_json(const PointStep& step) {
             {"points", Json::array()}};
   for (const PointStep::Walk& walk : step.walks) json["points"].push_back(walk_json(walk, step));
   json["findings"] = findings_json(step.findings);
+  if (step.clip) json["clip_comparison"] = clip_comparison_json(*step.clip);
   if (!setup.projection.given) return json;
   json["visible"] = step.conventions.visible;
   json["behind_eye"] = step.conventions.behind_eye;

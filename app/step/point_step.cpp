@@ -4,62 +4,19 @@
 
 #include <fmt/format.h>
 
-#include <glassbox/base/printable.h>
+#include <glassbox/base/counted.h>
+#include <glassbox/base/rounding.h>
 
 namespace glassbox::app {
 
 namespace {
 
-Result<void> read_matrix(const char* option, const std::optional<std::string>& source,
-                         std::optional<NumberOrder> asked, GivenMatrix& matrix) {
-  if (!source) return {};
-  const auto located = [&](Error error) {
-    error.place = error.place.empty() ? option : std::string(option) + ", " + error.place;
-    return tl::unexpected(std::move(error));
-  };
-  const auto read = read_matrix_source(*source);
-  if (!read) return located(read.error());
-  const auto parsed = parse_matrix_text(read->text, read->name);
-  if (!parsed) return located(parsed.error());
-  const NumberOrder order = order_of(*parsed, asked);
-  matrix = to_matrix(*parsed, order);
-  matrix.origin = fmt::format("{}, read by {}", printable(read->name),
-                              order == NumberOrder::kRows ? "rows" : "columns");
-  if (!parsed->recognised.empty()) matrix.origin += fmt::format(" ({})", parsed->recognised);
-  return {};
-}
-
-Result<void> read_matrices(const PointStepOptions& o, MatrixSetup& s) {
-  const auto is_stdin = [](const std::optional<std::string>& source) {
-    return source && *source == "-" ? 1 : 0;
-  };
-  if (is_stdin(o.model) + is_stdin(o.view) + is_stdin(o.projection) > 1) {
-    return fail("--model, --view, --proj", "more than one of them is standard input",
-                "put the others into files");
-  }
-  const auto model = read_matrix("--model", o.model, o.order, s.model);
-  if (!model) return model;
-  const auto view = read_matrix("--view", o.view, o.order, s.view);
-  if (!view) return view;
-  return read_matrix("--proj", o.projection, o.order, s.projection);
-}
-
-void choose_dialect(const ApiDialect* asked, PointStep& step) {
-  if (asked != nullptr) {
-    step.setup.dialect = *asked;
-    step.dialect_reason = "as given";
-  } else {
-    const GuessedDialect guess = guess_dialect(step.setup.projection);
-    step.setup.dialect = *guess.dialect;
-    step.dialect_reason = "guessed: " + guess.reason;
-  }
-}
-
 // A viewport of negative height, as in Vulkan, flips y. This is treated as a clip space whose y
 // points the other way.
-void take_window(const std::optional<std::array<double, 4>>& asked, PointStep& step) {
+void take_window(const PointStepOptions& o, PointStep& step) {
   MatrixSetup& setup = step.setup;
-  if (asked) step.window = *asked;
+  const bool asked = o.window || o.size_is_given;
+  step.window = o.window.value_or(std::array<double, 4>{0, 0, double(o.size.x), double(o.size.y)});
   auto& [x, y, width, height] = step.window;
   if (height < 0) {
     y += height;
@@ -91,31 +48,54 @@ PointStep::Walk walk_point(const glm::vec4& point, const PointStep& step) {
   return walked;
 }
 
+// All points, those of the table or those of the command line.
+std::vector<TableVertex> points_of(const PointStepOptions& o) {
+  if (!o.table.empty()) return o.table;
+  std::vector<TableVertex> points;
+  for (const glm::dvec4& point : o.points) {
+    points.push_back({point, double(unit_roundoff<float>) * glm::abs(point), 0});
+  }
+  return points;
+}
+
 }  // namespace
 
-Result<PointStep> step_points(const PointStepOptions& o) {
-  if (!o.model && !o.view && !o.projection) {
+Result<PointStep> step_points(const PointStepOptions& o, const OwnMatrices& matrices) {
+  if (!matrices.any()) {
     return fail("", "no matrix is given", "give at least one of --model, --view and --proj");
+  }
+  const std::vector<TableVertex> points = points_of(o);
+  if (!o.program_clip.empty() && o.program_clip.size() != points.size()) {
+    return fail("--clip",
+                fmt::format("there are {} and {}", counted(points.size(), "point"),
+                            counted(o.program_clip.size(), "clip position")),
+                "give one clip position for each point, in the same order");
   }
   if (o.expected.size() > o.points.size()) {
     return fail("--expect", "there are more expected positions than points", "give one for each");
   }
   PointStep step;
   step.bits = o.bits;
-  step.setup.world = o.world;
-  if (const auto read = read_matrices(o, step.setup); !read) return tl::unexpected(read.error());
-  choose_dialect(o.dialect, step);
-  take_window(o.window, step);
+  NamedSetup named = setup_of(matrices);
+  step.setup = std::move(named.setup);
+  step.dialect_reason = std::move(named.dialect_reason);
+  take_window(o, step);
   if (step.setup.projection.given) {
     const ProjectionFacts lens = projection_facts(step.setup.projection, step.setup.dialect.depth);
     if (!lens.looks_transposed) step.lens = lens;
   }
 
   std::vector<CheckedPoint> checked;
-  for (std::size_t i = 0; i < o.points.size(); ++i) {
-    step.walks.push_back(walk_point(glm::vec4(o.points[i]), step));
+  step.points = points.size();
+  const std::size_t walks = o.table.empty() ? points.size() : std::min(points.size(), kMaxWalks);
+  for (std::size_t k = 0; k < walks; ++k) {
+    const std::size_t i = k * points.size() / walks;
+    step.walks.push_back(walk_point(glm::vec4(points[i].position), step));
     if (i < o.expected.size()) step.walks.back().expected = o.expected[i];
-    checked.push_back({o.points[i], step.walks.back().expected});
+    checked.push_back({points[i].position, step.walks.back().expected});
+  }
+  if (!o.program_clip.empty()) {
+    step.clip = compare_clip_positions(step.setup, points, o.program_clip);
   }
   step.findings = check_matrices(step.setup);
   if (step.setup.projection.given) {

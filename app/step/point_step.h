@@ -10,25 +10,27 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/step/printed_matrix.h"
-
 #include <glassbox/base/error.h>
+#include <glassbox/matrices/clip_comparison.h>
 #include <glassbox/matrices/conventions_check.h>
 #include <glassbox/matrices/findings.h>
 #include <glassbox/matrices/projection_facts.h>
+#include <glassbox/matrices/vertex_table.h>
 #include <glassbox/pipeline/vertex_chain.h>
 
 namespace glassbox::app {
 
 struct PointStepOptions {
   std::vector<glm::dvec4> points;
+  // Points from a table, in place of `points`, and the clip positions that a program computed for
+  // the points, in the same order; empty if there are none.
+  std::vector<TableVertex> table;
+  std::vector<TableVertex> program_clip;
   std::vector<glm::dvec2> expected;  // window positions where the first points should appear
-  // Sources of matrices, in the form that read_matrix_source accepts.
-  std::optional<std::string> model, view, projection;
-  std::optional<NumberOrder> order;
-  const ApiDialect* dialect = nullptr;          // nullptr: guess it
   std::optional<std::array<double, 4>> window;  // x, y, width, height
-  std::optional<Handedness> world;
+  // If there is no window: its size, and whether the user gave it.
+  glm::ivec2 size{1280, 720};
+  bool size_is_given = false;
   bool bits = false;
 };
 
@@ -50,13 +52,21 @@ struct PointStep {
   Viewport viewport;  // the window in the form that to_screen needs
   bool bits = false;
   std::vector<Walk> walks;  // in the order of the points
+  // How many points there are. If a table has more than kMaxWalks, so many of them have a walk,
+  // spread evenly.
+  std::size_t points = 0;
+  std::optional<ClipComparison> clip;  // with the positions that a program computed
   std::vector<Finding> findings;
   ConventionsReport conventions;  // only if a projection was given
 };
 
-Result<PointStep> step_points(const PointStepOptions& options);
+inline constexpr std::size_t kMaxWalks = 100;
+
+Result<PointStep> step_points(const PointStepOptions& options, const OwnMatrices& matrices);
 
 std::string point_step_text(const PointStep& step);             // point_verdict_text.cpp
+std::string clip_comparison_text(const ClipComparison& found);  // clip_comparison.cpp
+nlohmann::ordered_json clip_comparison_json(const ClipComparison& found);
 nlohmann::ordered_json point_step_json(const PointStep& step);  // point_json.cpp
 
 }  // namespace glassbox::app

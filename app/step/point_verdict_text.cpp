@@ -1,6 +1,7 @@
 // The last part of the text about points: where they are, what is wrong, and what would make them
 // visible.
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,8 @@
 namespace glassbox::app {
 
 namespace {
+
+constexpr std::size_t kMaxPrintedWalks = 16;
 
 std::string heading_text(const PointStep& step) {
   if (!step.setup.projection.given) return {};
@@ -111,11 +114,33 @@ std::string changes_text(const PointStep& step) {
   return "\n" + wrapped("  ", line) + alternatives_text(report);
 }
 
+// Where the first points are. A table may have many: then the others are counted.
+std::string where_all_are_text(const PointStep& step) {
+  constexpr std::size_t kMaxLines = 8;
+  std::string text;
+  for (const PointStep::Walk& walk :
+       std::span(step.walks).first(std::min(step.walks.size(), kMaxLines))) {
+    text += where_text(walk, step);
+  }
+  if (step.walks.size() <= kMaxLines) return text;
+  const auto seen = std::ranges::count_if(step.walks, [](const PointStep::Walk& walk) {
+    return walk.chain.verdict == VertexVerdict::kVisible;
+  });
+  text += wrapped("  ", fmt::format("and {} more; {} of these {} are inside the view volume",
+                                    step.walks.size() - kMaxLines, seen, step.walks.size()));
+  if (step.points > step.walks.size()) {
+    text += wrapped("  ", fmt::format("they are spread evenly over the {} of the table",
+                                      counted(step.points, "point")));
+  }
+  return text;
+}
+
 std::string verdict_text(const PointStep& step) {
   std::string text = "VERDICT\n";
-  for (const PointStep::Walk& walk : step.walks) text += where_text(walk, step);
+  text += where_all_are_text(step);
   const ConventionsReport& report = step.conventions;
   text += behind_text(report) + findings_text(step.findings);
+  if (step.clip) text += clip_comparison_text(*step.clip);
   if (report.visible == report.points) return text;
   return text + (report.alternatives.empty() ? no_change_text(step) : changes_text(step));
 }
@@ -124,8 +149,13 @@ std::string verdict_text(const PointStep& step) {
 
 std::string point_step_text(const PointStep& step) {
   std::string text = heading_text(step) + matrices_text(step.setup);
-  for (const PointStep::Walk& walk : step.walks) {
+  // The first points of a large table stand for the others.
+  const std::size_t printed = step.walks.size() > kMaxPrintedWalks ? 3 : step.walks.size();
+  for (const PointStep::Walk& walk : std::span(step.walks).first(printed)) {
     text += "\nPOINT " + point_text(walk.chain.object) + "\n" + walk_text(walk, step);
+  }
+  if (printed < step.walks.size()) {
+    text += fmt::format("\n... and {} more points; --json has them\n", step.walks.size() - printed);
   }
   return text + "\n" + verdict_text(step);
 }

@@ -12,9 +12,9 @@
 //     prompt, line_reader the same stage by stage at a prompt, with other cameras and triangles
 //
 //   glassbox step --point X,Y,Z --model FILE --view FILE --proj FILE
-//     matrix_tokens, printed_matrix  reads a matrix as some program printed it
-//     matrices/           what the matrices are, what is wrong with them, and which change of
-//                         convention would make the points visible
+//     matrices/           reads a matrix as some program printed it; what the matrices are, what is
+//                         wrong with them, and which change of convention would make the points
+//                         visible
 //     point_step          all of this for some points, transformed from space to space by
 //                         pipeline/vertex_chain.h
 //     point_matrices_text, point_walk_text, point_verdict_text, point_json   the answer
@@ -35,6 +35,7 @@
 #include "app/commands.h"
 #include "app/step/point_step.h"
 #include "app/step/prompt.h"
+#include "app/step/scene_vertices.h"
 #include "app/trace/json.h"
 #include "cli/options/add_command.h"
 #include "cli/options/arguments.h"
@@ -48,6 +49,7 @@
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
+#include <glassbox/mesh/input/files.h>
 #include <glassbox/mesh/limits.h>
 
 namespace glassbox::app {
@@ -59,6 +61,11 @@ public:
 private:
   // Adds SCENE and the options for a triangle of a scene, with the options of the picture.
   void add_triangle(CLI::App& command);
+  void add_tables(CLI::App& command);
+  bool asks_for_points() const {
+    return !points_.points.empty() || points_source_ || vertices_.has_value();
+  }
+  Result<void> read_tables(MatrixOptions& matrices);
   int run();
   int run_triangle();
   int run_points();
@@ -73,6 +80,8 @@ private:
   bool interactive_ = false;
 
   PointStepOptions points_;
+  std::optional<std::string> points_source_, clip_source_;
+  std::optional<std::vector<std::uint32_t>> vertices_;
   bool bits_ = false;
   std::optional<std::string> json_output_;
   std::uint32_t max_megabytes_ = 200;  // limit for the JSON output
@@ -81,7 +90,7 @@ private:
 namespace {
 
 constexpr const char* kSceneGroup = "A triangle of a scene";
-constexpr const char* kGroup = "Your own matrices";
+constexpr const char* kPointGroup = "Points through your own matrices";
 
 glm::dvec4 parse_point(const std::string& text) {
   constexpr double kLargest = double(std::numeric_limits<float>::max());
@@ -121,6 +130,24 @@ std::array<double, 4> parse_window(const std::string& text) {
   return window;
 }
 
+// Reads a table of vertices from a file, or from standard input.
+Result<std::vector<TableVertex>> read_table(const char* option, const std::string& source,
+                                            VertexColumns wanted) {
+  constexpr std::uint64_t kMaxBytes = 256 << 20;
+  const std::string name = scene_title(source);
+  return (source == "-" ? read_standard_input(kMaxBytes) : gltf::read_whole_file(source, kMaxBytes))
+      .and_then([&](const std::vector<std::byte>& bytes) {
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        return parse_vertex_table(text, name, wanted);
+      })
+      .map([](VertexTable table) { return std::move(table.vertices); })
+      .map_error([&](Error error) {
+        error.file = name;
+        error.place = error.place.empty() ? option : std::string(option) + ", " + error.place;
+        return error;
+      });
+}
+
 void add_points(CLI::App& command, PointStepOptions& o) {
   command
       .add_option_function<std::vector<std::string>>(
@@ -131,7 +158,7 @@ void add_points(CLI::App& command, PointStepOptions& o) {
           "the point in object space; may be given several times")
       ->type_name("X,Y,Z[,W]")
       ->allow_extra_args(false)
-      ->group(kGroup);
+      ->group(kPointGroup);
   command
       .add_option_function<std::vector<std::string>>(
           "--expect",
@@ -145,36 +172,7 @@ void add_points(CLI::App& command, PointStepOptions& o) {
           "of the points")
       ->type_name("X,Y")
       ->allow_extra_args(false)
-      ->group(kGroup);
-}
-
-void add_matrices(CLI::App& command, PointStepOptions& o) {
-  const auto add = [&](const char* name, std::optional<std::string>& source, const char* help) {
-    command.add_option(name, source, help)->type_name("FILE|-|NUMBERS")->group(kGroup);
-  };
-  add("--model", o.model, "the model matrix, from object space to world space [the identity]");
-  add("--view", o.view, "the view matrix, from world space to eye space [the identity]");
-  add("--proj", o.projection,
-      "the projection, from eye space to clip space; or projection times view");
-  add_choice<std::optional<NumberOrder>>(
-      command, "--order", o.order,
-      {{"rows", NumberOrder::kRows}, {"columns", NumberOrder::kColumns}},
-      "how the numbers are listed: row by row of p' = M p, or column by column (the rows of p M) "
-      "[as the layout says, else rows]")
-      ->group(kGroup);
-}
-
-void add_conventions(CLI::App& command, PointStepOptions& o) {
-  Choices<const ApiDialect*> dialects;
-  for (const ApiDialect& dialect : api_dialects()) dialects.push_back({dialect.name, &dialect});
-  add_choice<const ApiDialect*>(
-      command, "--dialect", o.dialect, dialects,
-      "the graphics API that the matrices are made for [guessed from them]")
-      ->group(kGroup);
-  add_choice<std::optional<Handedness>>(
-      command, "--world", o.world, {{"right", Handedness::kRight}, {"left", Handedness::kLeft}},
-      "the handedness of your world, if you know it")
-      ->group(kGroup);
+      ->group(kPointGroup);
 }
 
 // Adds --viewport. It must not be used with --size, which the picture's options have added before.
@@ -184,7 +182,7 @@ void add_window(CLI::App& command, PointStepOptions& o) {
           "--viewport", [&o](const std::string& text) { o.window = parse_window(text); },
           "the window in pixels: X, Y, width, height, as for glViewport")
       ->type_name("X,Y,W,H")
-      ->group(kGroup)
+      ->group(kPointGroup)
       ->excludes(command.get_option("--size"));
 }
 
@@ -195,6 +193,9 @@ constexpr const char* kStepFooter =
     "  glassbox step model.glb --triangle 7 --vertex 0 --json trace.json\n"
     "  glassbox step --point 0,0,0 --view view.txt --proj proj.txt --size 1280x720\n"
     "  glassbox step --point 1,2,3 --model m.txt --view v.txt --proj p.txt --dialect vulkan\n"
+    "  glassbox step model.obj --triangle 7 --view view.txt --proj proj.txt --size 1280x720\n"
+    "  glassbox step model.obj --vertices 0,5 --view view.txt --proj proj.txt\n"
+    "  glassbox step --points in.csv --clip out.csv --model m.txt --view v.txt --proj p.txt\n"
     "  glassbox step --point 0,0,-5 --proj '1 0 0 0  0 1 0 0  0 0 -1.02 -0.202  0 0 -1 0'\n"
     "  myprogram | glassbox step --point 0,0,0 --point 1,1,1 --view - --proj proj.txt --json -\n\n"
     "A matrix is a file, - for standard input, or the sixteen numbers themselves, as your program\n"
@@ -206,9 +207,10 @@ constexpr const char* kStepFooter =
 // Whether the option has an effect: for points through the user's own matrices (`of_points`), or
 // else for a scene's triangle.
 bool is_for(const CLI::Option& option, bool of_points) {
-  const bool own_matrices = option.get_group() == kGroup;
-  if (!of_points) return !own_matrices;
-  return own_matrices || option.get_name() == "--size" || option.get_group() == "Other outputs";
+  const bool is_points = option.get_group() == kPointGroup;
+  if (!of_points) return !is_points;
+  return is_points || option.get_group() == kMatrixGroup || option.get_name() == "--size" ||
+         option.get_group() == "Other outputs";
 }
 
 void print_ignored_options(const CLI::App& command, bool of_points) {
@@ -216,7 +218,7 @@ void print_ignored_options(const CLI::App& command, bool of_points) {
     if (option->count() == 0 || is_for(*option, of_points)) continue;
     fmt::print(stderr, "glassbox: note: {} is ignored: {}\n", option->get_name(),
                of_points ? "a point goes through your own matrices"
-                         : "a scene's triangle goes through the picture's matrices");
+                         : "it is for --point, and a scene is given");
   }
 }
 
@@ -228,18 +230,46 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   command.footer(kStepFooter);
   add_triangle(command);
   add_points(command, points_);
-  add_matrices(command, points_);
-  add_conventions(command, points_);
+  add_tables(command);
   add_window(command, points_);
   command.add_flag("--bits", bits_, "print the bits of each float too, in hexadecimal")
       ->group("Other outputs");
   add_json_output(command, json_output_)->group("Other outputs");
   add_max_megabytes(command, max_megabytes_, " of JSON than this");
   command.callback([this, &command, &exit_code] {
-    const bool asks_for_points = !points_.points.empty();
-    if (scene_.empty() == asks_for_points) print_ignored_options(command, asks_for_points);
+    const bool other_scene = !scene_.empty() && !vertices_;
+    if (other_scene != asks_for_points()) print_ignored_options(command, asks_for_points());
     exit_code = run();
   });
+}
+
+// Adds the options for points that are not typed.
+void StepCommand::add_tables(CLI::App& command) {
+  CLI::Option* point = command.get_option("--point");
+  CLI::Option* points =
+      command
+          .add_option("--points", points_source_,
+                      "a table of points in object space: CSV, the vertices of an OBJ file, or the "
+                      "vertex shader's input that RenderDoc exports")
+          ->type_name("FILE|-")
+          ->group(kPointGroup)
+          ->excludes(point);
+  command
+      .add_option_function<std::string>(
+          "--vertices",
+          [this](const std::string& text) { vertices_ = parse_vertex_numbers("--vertices", text); },
+          "the points are these vertices of SCENE, counted from 0 in the order of its meshes")
+      ->type_name("N,N,...")
+      ->group(kPointGroup)
+      ->excludes(point)
+      ->excludes(points);
+  command
+      .add_option(
+          "--clip", clip_source_,
+          "the clip positions x, y, z, w that your program computes for the points: CSV, or "
+          "the vertex shader's output that RenderDoc exports")
+      ->type_name("FILE|-")
+      ->group(kPointGroup);
 }
 
 void StepCommand::add_triangle(CLI::App& command) {
@@ -268,14 +298,17 @@ void StepCommand::add_triangle(CLI::App& command) {
 }
 
 int StepCommand::run() {
-  if (points_.points.empty() && scene_.empty()) {
+  if (!asks_for_points() && scene_.empty()) {
     return refuse({"", "", "there is nothing to step through",
                    "give a scene and --triangle N, or --point X,Y,Z and your matrices"});
   }
-  if (points_.points.empty()) return run_triangle();
-  if (scene_.empty()) return run_points();
-  return refuse({"", "--point", "a scene is given as well",
-                 "give a scene and a triangle, or points and matrices"});
+  if (!asks_for_points()) return run_triangle();
+  if (vertices_ && scene_.empty()) {
+    return refuse({"", "--vertices", "there is no scene that has them", "name a scene"});
+  }
+  if (scene_.empty() || vertices_) return run_points();
+  return refuse({"", points_source_ ? "--points" : "--point", "a scene is given as well",
+                 "give a scene and --triangle or --vertices, or points and matrices"});
 }
 
 // Refuses JSON above the limit. A fragment takes about two kilobytes, so a triangle that fills a
@@ -336,14 +369,44 @@ int StepCommand::run_triangle() {
   return kSuccess;
 }
 
-int StepCommand::run_points() {
-  const std::vector<std::string> words = given_option_words(picture_);
-  if (std::find(words.begin(), words.end(), "--size") != words.end()) {
-    const auto [width, height] = picture_.size;
-    points_.window = {0, 0, double(width), double(height)};
+// Reads the points and clip positions that are not typed. Vertices of a scene bring the transform
+// of their node with them, which acts before the model matrix.
+Result<void> StepCommand::read_tables(MatrixOptions& matrices) {
+  if (const auto read = check_matrices_read(matrices); !read) return read;
+  if (vertices_) {
+    const auto chosen = load_scene_argument(scene_, limits_).and_then([&](const Scene& scene) {
+      return vertices_of(scene, *vertices_);
+    });
+    if (!chosen) return tl::unexpected(chosen.error());
+    points_.table = chosen->vertices;
+    if (!chosen->is_at_origin()) {
+      matrices.model.m = matrices.model.m * chosen->world_from_object;
+      matrices.model.origin +=
+          (matrices.model.given ? ", times " : "") + ("node " + in_quotes(chosen->node));
+      matrices.model.given = true;
+    }
   }
+  if (points_source_) {
+    auto table = read_table("--points", *points_source_, VertexColumns::kObject);
+    if (!table) return tl::unexpected(table.error());
+    points_.table = *std::move(table);
+  }
+  if (!clip_source_) return {};
+  auto clip = read_table("--clip", *clip_source_, VertexColumns::kClip);
+  if (!clip) return tl::unexpected(clip.error());
+  points_.program_clip = *std::move(clip);
+  return {};
+}
+
+int StepCommand::run_points() {
+  MatrixOptions matrices = picture_.matrices;
+  if (const auto read = read_tables(matrices); !read) return refuse(read.error());
+  const auto [width, height] = picture_.size;
+  points_.size = glm::ivec2(width, height);
+  const std::vector<std::string> words = given_option_words(picture_);
+  points_.size_is_given = std::ranges::find(words, "--size") != words.end();
   points_.bits = bits_;
-  const auto step = step_points(points_);
+  const auto step = step_points(points_, matrices);
   if (!step) return refuse(step.error());
   if (json_output_) {
     if (const auto written = write_json(*json_output_, point_step_json(*step)); !written) {

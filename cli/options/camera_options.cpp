@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <glm/matrix.hpp>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -111,6 +113,15 @@ Result<Camera> posed_camera(const CameraOptions& options, const Camera& automati
   camera.name = "command line";
   camera.lens = PerspectiveLens{radians_from_degrees(kDefaultFovDegrees), 0, {}};
   camera.world_from_eye = inverse_rigid(*eye_from_world);
+  return camera;
+}
+
+// The camera that a view matrix describes. make_view() checks that its inverse is a pose.
+Camera camera_of(const Transform<Eye, World>& eye_from_world) {
+  Camera camera;
+  camera.name = "your view matrix";
+  camera.lens = PerspectiveLens{radians_from_degrees(kDefaultFovDegrees), 0, {}};
+  camera.world_from_eye = Transform<World, Eye>(glm::inverse(eye_from_world.columns));
   return camera;
 }
 
@@ -242,7 +253,8 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
       ->group(group);
 }
 
-Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect) {
+Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect,
+                             const std::optional<Transform<Eye, World>>& eye_from_world) {
   const bool no_camera = options.camera == "none";
   if (options.camera && !no_camera && has_pose(options)) {
     return fail("--camera", "the camera's pose is also given by --eye, --look-at or --up",
@@ -253,7 +265,9 @@ Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, d
   if (!automatic) return automatic;
 
   Result<Camera> camera = automatic;
-  if (options.camera && !no_camera) {
+  if (eye_from_world) {
+    camera = camera_of(*eye_from_world);
+  } else if (options.camera && !no_camera) {
     camera = named_camera(scene, *options.camera);
   } else if (!is_framed(options)) {
     camera = posed_camera(options, *automatic, box);
@@ -267,7 +281,8 @@ Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, d
   if (!lens) return tl::unexpected(lens.error());
   camera->lens = *lens;
 
-  const bool own_planes = is_framed(options) && is_parallel(own) == is_parallel(*lens);
+  const bool own_planes =
+      is_framed(options) && !eye_from_world && is_parallel(own) == is_parallel(*lens);
   Planes found = planes_of(own);
   if (!own_planes) {
     const Result<Planes> enclosing = enclosing_planes(*camera, box);

@@ -34,7 +34,9 @@ void add_camera_options(CLI::App& app, CameraOptions& options);
 // --look-at and --up; the scene's first camera; automatic framing. With --up alone, the scene is
 // framed automatically with that up vector. The lens is the scene's camera's own, or the one given
 // by --fov, --ortho or --frustum. The near and far planes are those given, else the scene's
-// camera's, else such that they enclose the scene.
-Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect);
+// camera's, else such that they enclose the scene. If `eye_from_world` is given, the pose is its
+// inverse, and no option of the pose may be given.
+Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, double aspect,
+                             const std::optional<Transform<Eye, World>>& eye_from_world = {});
 
 }  // namespace glassbox

@@ -1,10 +1,15 @@
 #include "cli/options/picture_options.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "cli/options/choices.h"
 #include "cli/options/scene_input.h"
+#include "cli/report/progress.h"
 
 #include <glassbox/render/engine/setting_names.h>
 
@@ -60,22 +65,117 @@ void add_drawing_options(CLI::App& command, PictureOptions& picture) {
       ->group(group);
 }
 
-Result<ChosenView> choose_centre(const Scene& scene, const PictureOptions& picture) {
+DepthRange depth_range_of(const PictureOptions& picture) {
+  return picture.settings.depth == DepthFormat::kFloat32Reversed ? DepthRange::kReversed
+                                                                 : DepthRange::kStandard;
+}
+
+// ---- the user's own matrices ----
+
+// An option of the camera that says the same as a matrix; nullptr if there is none. --view fixes
+// the pose, and --proj the pose and the lens.
+const char* second_camera(const CameraOptions& camera, bool lens_is_given) {
+  if (camera.camera) return "--camera";
+  if (camera.eye) return "--eye";
+  if (camera.look_at) return "--look-at";
+  if (camera.up) return "--up";
+  if (camera.formulation.view != Formulation{}.view) return "--view-from";
+  if (!lens_is_given) return nullptr;
+  if (camera.fov_degrees) return "--fov";
+  if (camera.ortho_height) return "--ortho";
+  if (camera.frustum) return "--frustum";
+  if (camera.near) return "--near";
+  if (camera.far) return "--far";
+  if (camera.formulation.projection != Formulation{}.projection) return "--projection";
+  return nullptr;
+}
+
+Result<void> check_one_camera(const PictureOptions& picture) {
+  const bool lens_is_given = picture.matrices.projection.given;
+  const char* second = second_camera(picture.camera, lens_is_given);
+  if (second == nullptr) return {};
+  return fail(
+      second,
+      lens_is_given ? "the camera is also given by --proj" : "the pose is also given by --view",
+      "give one of them");
+}
+
+// The aspect ratio of the picture over that of the projection's window; nothing if they are as
+// equal as whole pixels allow.
+std::optional<double> stretch_of(const PictureOptions& picture) {
+  const std::optional<double> meant = aspect_of_projection(picture.matrices.projection);
+  if (!meant) return std::nullopt;
   const auto [width, height] = picture.size;
-  const Result<Camera> camera =
-      choose_camera(scene, picture.camera, double(width) / double(height));
+  const double stretch = double(width) / height / *meant;
+  // Rounding a side to whole pixels changes the ratio by at most half a pixel of the shorter side.
+  if (std::abs(stretch - 1) <= 0.5 / std::min(width, height)) return std::nullopt;
+  return stretch;
+}
+
+std::vector<std::string> notes_on_projection(const PictureOptions& picture) {
+  const NamedSetup named = setup_of(picture.matrices);
+  const auto [width, height] = picture.size;
+  std::vector<std::string> notes{
+      fmt::format("--proj is read for {} ({})", named.setup.dialect.title, named.dialect_reason)};
+  if (const auto stretch = stretch_of(picture)) {
+    notes.push_back(
+        fmt::format("a picture of {} x {} stretches what --proj draws by {:.3g} in x: its window "
+                    "has the aspect "
+                    "ratio {:.6g}",
+                    width, height, *stretch, width / *stretch / height));
+  }
+  const auto made = view_of_matrices(named.setup, width, height, depth_range_of(picture));
+  if (made && made->mirrors && !named.setup.front) {
+    notes.push_back(
+        "the matrices mirror the scene: its outside runs clockwise on the screen. It is drawn all "
+        "the same; --front ccw or --front cw draws what your API takes for front faces");
+  }
+  if (made && !made->eye_space_is_given) {
+    notes.push_back(
+        "--view is not a rotation and a translation, or --proj has a view in it: eye space is that "
+        "of the eye found in their product");
+  }
+  return notes;
+}
+
+Result<ChosenView> view_of_both(const PictureOptions& picture) {
+  const auto [width, height] = picture.size;
+  return view_of_matrices(setup_of(picture.matrices).setup, width, height, depth_range_of(picture))
+      .map([](const MatrixView& made) {
+        return ChosenView{made.camera, made.view, made};
+      });
+}
+
+// ---- the camera ----
+
+Result<Camera> choose_camera_and_pose(const Scene& scene, const PictureOptions& picture) {
+  const auto [width, height] = picture.size;
+  const double aspect = double(width) / double(height);
+  const GivenMatrix& view = picture.matrices.view;
+  return choose_camera(scene, picture.camera, aspect,
+                       view.given ? std::optional(Transform<Eye, World>(view.m)) : std::nullopt);
+}
+
+Result<ChosenView> choose_centre(const Scene& scene, const PictureOptions& picture) {
+  const MatrixOptions& matrices = picture.matrices;
+  if (const auto read = check_matrices_read(matrices); !read) return tl::unexpected(read.error());
+  if (matrices.replace_camera()) {
+    if (const auto one = check_one_camera(picture); !one) return tl::unexpected(one.error());
+  }
+  if (matrices.projection.given) return view_of_both(picture);
+  const auto [width, height] = picture.size;
+  const Result<Camera> camera = choose_camera_and_pose(scene, picture);
   if (!camera) return tl::unexpected(camera.error());
-  const DepthRange range = picture.settings.depth == DepthFormat::kFloat32Reversed
-                               ? DepthRange::kReversed
-                               : DepthRange::kStandard;
-  const Result<View> view = make_view(*camera, width, height, range, picture.camera.formulation);
+  const Result<View> view =
+      make_view(*camera, width, height, depth_range_of(picture), picture.camera.formulation);
   if (!view) {
     Error error = view.error();
     // name the option that the user gave
     if (error.place == "projection form") error.place = "--projection";
+    if (error.place == "camera pose" && matrices.view.given) error.place = "--view";
     return tl::unexpected(error);
   }
-  return ChosenView{*camera, *view};
+  return ChosenView{*camera, *view, std::nullopt};
 }
 
 }  // namespace
@@ -88,6 +188,7 @@ void add_picture_options(CLI::App& command, PictureOptions& picture) {
           "image size in pixels [1280x720]")
       ->type_name("WxH");
   add_camera_options(command, picture.camera);
+  add_matrix_options(command, picture.matrices, picture.size);
   add_eyes_options(command, picture.eyes);
   add_drawing_options(command, picture);
   const auto all = command.get_options();
@@ -100,9 +201,23 @@ Scene with_texture_filter(Scene scene, const PictureOptions& picture) {
 
 Result<Scene> load_scene_argument(const std::string& word, const PictureOptions& picture,
                                   Progress& progress, const LoadLimits& limits) {
-  return load_scene_argument(word, progress, limits).map([&](Scene scene) {
-    return with_texture_filter(std::move(scene), picture);
-  });
+  if (const auto read = check_matrices_read(picture.matrices); !read) {
+    return tl::unexpected(read.error());
+  }
+  if (word == "-" && picture.matrices.reads_standard_input) {
+    return fail("SCENE", "the scene and a matrix are both standard input",
+                "name a file for one of them");
+  }
+  return load_scene_argument(word, progress, limits)
+      .and_then([&](Scene scene) { return with_model_matrix(std::move(scene), picture.matrices); })
+      .map([&](Scene scene) {
+        if (picture.matrices.projection.given) {
+          for (const std::string& note : notes_on_projection(picture)) {
+            progress.print_line("note: " + note);
+          }
+        }
+        return with_texture_filter(std::move(scene), picture);
+      });
 }
 
 void print_pixel_centres_note(const PictureOptions& picture) {
@@ -125,7 +240,25 @@ std::vector<std::string> option_words(std::span<const CLI::Option* const> option
 }
 
 std::vector<std::string> given_option_words(const PictureOptions& picture) {
-  return option_words(picture.options);
+  std::vector<std::string> words;
+  const auto add_numbers = [&](const char* option, const GivenMatrix& matrix) {
+    if (!matrix.given) return;
+    words.emplace_back(option);
+    words.push_back(numbers_text(matrix));
+  };
+  // The words must not depend on files, nor on an order in which the numbers were listed.
+  const auto is_source = [](const CLI::Option* option) {
+    const std::string name = option->get_name();
+    return name == "--model" || name == "--view" || name == "--proj" || name == "--order" ||
+           name == "--model-order" || name == "--view-order" || name == "--proj-order";
+  };
+  std::vector<const CLI::Option*> others;
+  std::ranges::remove_copy_if(picture.options, std::back_inserter(others), is_source);
+  words = option_words(others);
+  add_numbers("--model", picture.matrices.model);
+  add_numbers("--view", picture.matrices.view);
+  add_numbers("--proj", picture.matrices.projection);
+  return words;
 }
 
 Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture) {
@@ -137,7 +270,8 @@ Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture
                 "choose an eye with --seen-by left or --seen-by right");
   }
   return choose_eyes(scene, picture).map([&](const ChosenEyes& chosen) {
-    return ChosenView{chosen.camera, eye_view(chosen.centre, chosen.eyes.pair, *eyes.seen_by)};
+    return ChosenView{chosen.camera, eye_view(chosen.centre, chosen.eyes.pair, *eyes.seen_by),
+                      std::nullopt};
   });
 }
 

@@ -11,8 +11,10 @@
 #include "cli/options/camera_options.h"
 #include "cli/options/cli_fwd.h"
 #include "cli/options/eyes_options.h"
+#include "cli/options/matrix_options.h"
 
 #include <glassbox/base/error.h>
+#include <glassbox/matrices/view_of_matrices.h>
 #include <glassbox/mesh/limits.h>
 #include <glassbox/mesh/scene.h>
 #include <glassbox/mesh/texture_filter.h>
@@ -26,6 +28,7 @@ class Progress;
 struct PictureOptions {
   Size size;
   CameraOptions camera;
+  MatrixOptions matrices;  // in place of the camera, if there are any
   EyesOptions eyes;
   RenderSettings settings;
   std::optional<TextureFilter> filter;      // for all textures; absent: each texture's own
@@ -34,8 +37,11 @@ struct PictureOptions {
 
 void add_picture_options(CLI::App& command, PictureOptions& picture);
 
-// The scene as it is drawn, with the texture filter of the options.
+// The scene with the texture filter of the options.
 Scene with_texture_filter(Scene scene, const PictureOptions& picture);
+
+// Loads the scene as it is drawn: with the texture filter and the model matrix of the options. Says
+// in notes what was chosen for the user's own matrices.
 Result<Scene> load_scene_argument(const std::string& word, const PictureOptions& picture,
                                   Progress& progress, const LoadLimits& limits = {});
 
@@ -54,6 +60,7 @@ std::vector<std::string> given_option_words(const PictureOptions& picture);
 struct ChosenView {
   Camera camera;
   View view;
+  std::optional<MatrixView> of_matrices;  // if the user gave --proj
 };
 Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture);
 

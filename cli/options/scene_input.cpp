@@ -19,6 +19,8 @@ namespace {
 
 constexpr const char* kStandardInput = "standard input";
 
+}  // namespace
+
 Result<std::vector<std::byte>> read_standard_input(std::uint64_t max_bytes) {
   if (::isatty(STDIN_FILENO) == 1) {
     return fail("", "is a terminal", "redirect a file to it: glassbox render - < duck.glb");
@@ -39,8 +41,6 @@ Result<std::vector<std::byte>> read_standard_input(std::uint64_t max_bytes) {
   return fail("", "has more than " + std::to_string(max_bytes) + " bytes, the most that is read",
               "use a smaller file (in the library: LoadLimits::max_file_bytes)");
 }
-
-}  // namespace
 
 Result<SceneAndBytes> load_scene_and_bytes(const std::string& word, const LoadLimits& limits) {
   if (word != "-") {

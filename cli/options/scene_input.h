@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ class Progress;
 // The text about SCENE in --help.
 inline constexpr const char* kSceneHelp =
     "a file (glTF, GLB, OBJ, PLY), a built-in scene, or -: standard input";
+
+// All bytes of standard input. An error if it is a terminal, or has more than `max_bytes`.
+Result<std::vector<std::byte>> read_standard_input(std::uint64_t max_bytes);
 
 // Loads the scene. Standard input has the same limits as a file and is read once, to its end. It is
 // an error if it is a terminal.

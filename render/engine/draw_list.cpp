@@ -76,7 +76,8 @@ void place_draw(const Scene& scene, const View& view, std::uint32_t instance, Dr
   draw.eye_from_anchored = round_to_float(eye_from_anchored);
   draw.clip_from_anchored = round_to_float(view.clip_from_eye * eye_from_anchored);
   draw.eye_normal_from_object = normal_transform(draw.eye_from_object);
-  draw.mirrored = glm::determinant(glm::dmat3(world_from_object.columns)) < 0;
+  const bool mirrors = glm::determinant(glm::dmat3(world_from_object.columns)) < 0;
+  draw.mirrored = mirrors != view.front_clockwise;
   const Box<Object>& box = draw.prepared->bounds;
   if (!box.empty()) draw.distance_of_centre = -(draw.eye_from_object * box.center()).z;
 }

@@ -29,7 +29,8 @@ struct Draw {
   const PreparedMesh* prepared = nullptr;
   std::uint32_t instance = 0;
   std::uint32_t first_number = 0;  // number of the draw's first triangle in the whole scene
-  // The model matrix has a negative determinant: front faces run clockwise.
+  // Front faces run clockwise on the screen: the model matrix has a negative determinant, or the
+  // view takes clockwise faces for front faces, but not both.
   bool mirrored = false;
 
   const LazyMipChain* texture = nullptr;  // null: the draw has no texture

@@ -302,6 +302,9 @@ ObjectCulling certain_culling(const Draw& draw, const View& view, Cull cull_mode
   if (!draw.prepared->all_finite || draw.prepared->bounds.empty()) {
     return {{}, "a position is not finite, or there is none"};
   }
+  if (view.front_clockwise) {
+    return {{}, "the view takes faces that run clockwise on the screen for front faces"};
+  }
   if (is_oblique(view))
     return {{}, "an oblique parallel view has no eye that its lines of sight start from"};
   const bool usual = rows_are(view.clip_from_eye, view.perspective) && view.viewport.width() > 0 &&

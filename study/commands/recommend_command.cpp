@@ -77,7 +77,7 @@ int StudyRecommendCommand::run() const {
   std::vector<std::string> words{scene_};
   for (const std::string& word : glassbox::option_words(picture_words_)) words.push_back(word);
   Progress progress;
-  const Result<Scene> scene = load_scene_argument(scene_, progress);
+  const Result<Scene> scene = load_scene_argument(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());
   const auto found = recommend(*scene, picture_, *budgets, words, progress);
   progress.done();

@@ -302,7 +302,7 @@ Result<void> StudySceneCommand::write_outputs(const CurveReport& report) const {
 int StudySceneCommand::run() const {
   if (const auto legal = check_options(); !legal) return refuse(legal.error());
   Progress progress;
-  const Result<Scene> scene = load_scene_argument(scene_, progress);
+  const Result<Scene> scene = load_scene_argument(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());
   const auto report = measure(*scene, progress);
   progress.done();

@@ -79,7 +79,7 @@ int StudyStiffnessCommand::run() const {
   }
   print_pixel_centres_note(picture_);
   Progress progress;
-  const Result<Scene> scene = load_scene_argument(scene_, progress);
+  const Result<Scene> scene = load_scene_argument(scene_, picture_, progress);
   if (!scene) return refuse(scene.error());
   const Result<ChosenView> chosen = choose_view(*scene, picture_);
   if (!chosen) return refuse(chosen.error());

@@ -43,7 +43,9 @@ TEST_CASE("the command that is printed runs, and shows the pixel that differs") 
       "teapot --size 40x30", "room --size 40x30 --shade flat --background 1,0.5,0.25 --depth d32r",
       "f-glyph --size 40x30 --eye -5,2,-7 --cull none --wireframe",
       "cube --size 40x30 --eye=-.5,2,7 --look-at=-0.1,0,0 --fov 30 --near 0.1 --far inf",
-      "forest --size 40x30 --ortho 8 --show depth"};
+      "forest --size 40x30 --ortho 8 --show depth",
+      "cube --size 40x30 --view 1,0,0,0,0,1,0,0,0,0,1,-4,0,0,0,1 "
+      "--proj -2,0,0,0,0,2,0,0,0,0,-1.02,-0.202,0,0,-1,0"};
   for (const std::string& recipe : recipes) {
     const WorkingDirectory here;
     REQUIRE(here.run("render " + recipe + " -o a.png").exit_code == 0);

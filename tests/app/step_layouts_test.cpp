@@ -15,7 +15,7 @@ TEST_CASE("a matrix is read from whatever layout a program prints it in") {
   const std::string commas = numbers(m, false, "%.6f", ", ");
   std::string eigen = numbers(m, false, "%12.6g"), nested, glm = "mat4x4(", c_assignments,
               gdb = "{value = {";
-  std::string glam = "Mat4 { ", numerics = "{ ", keyed;
+  std::string glam = "Mat4 { ", numerics = "{ ", keyed, directx = "{", unreal, godot = "[";
   const char* axes = "xyzw";
   for (std::size_t i = 0; i < 4; ++i) {
     char row[200], column[200], line[800];
@@ -37,9 +37,17 @@ TEST_CASE("a matrix is read from whatever layout a program prints it in") {
       gdb += line;
       std::snprintf(line, sizeof line, "M%d%d:%.9g ", int(i + 1), int(j + 1), m[j][i]);
       numerics += line;
+      std::snprintf(line, sizeof line, "_%d%d=%.9g ", int(i + 1), int(j + 1), m[j][i]);
+      directx += line;
+      std::snprintf(line, sizeof line, "%s%.9g", j == 0 ? "[" : " ", m[j][i]);
+      unreal += line;
     }
     gdb += "}";
     numerics += "} ";
+    unreal += "] ";
+    std::snprintf(line, sizeof line, "%s%c: (%.9g, %.9g, %.9g)", i == 0 ? "" : ", ", "XYZO"[i],
+                  m[0][i], m[1][i], m[2][i]);
+    godot += line;
   }
   nested += "], dtype=float32)";
   glm += ")";
@@ -60,6 +68,9 @@ TEST_CASE("a matrix is read from whatever layout a program prints it in") {
       {"GLM in gdb", gdb, ""},
       {"glam", glam, ""},
       {"System.Numerics", numerics, ""},
+      {"DirectXMath", directx + "}", ""},
+      {"Unreal", unreal, ""},
+      {"Godot", godot + "]", ""},
       {"OpenGL's memory", "GLfloat view[16] = {" + numbers(m, true, "%.9gf", ", ") + "};",
        "--order columns"},
       {"C, element by element", "float m[16]; // the view\n" + c_assignments, "--order columns"},

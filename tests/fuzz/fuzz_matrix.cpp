@@ -15,9 +15,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/step/point_step.h"
-#include "app/step/printed_matrix.h"
 #include "cli/report/text_layout.h"
 #include "tests/fuzz/promises.h"
+
+#include <glassbox/matrices/printed_matrix.h>
+#include <glassbox/matrices/view_of_matrices.h>
 
 namespace {
 
@@ -49,12 +51,21 @@ std::string printed(const MatrixText& matrix) {
   return text;
 }
 
-PointStepOptions chosen_options(std::uint8_t byte) {
-  PointStepOptions o;
-  if ((byte & 1) != 0) o.order = (byte & 2) != 0 ? NumberOrder::kColumns : NumberOrder::kRows;
-  if ((byte & 4) != 0) o.world = (byte & 8) != 0 ? Handedness::kLeft : Handedness::kRight;
+std::optional<NumberOrder> chosen_order(std::uint8_t byte) {
+  if ((byte & 1) == 0) return std::nullopt;
+  return (byte & 2) != 0 ? NumberOrder::kColumns : NumberOrder::kRows;
+}
+
+OwnMatrices chosen_conventions(std::uint8_t byte) {
+  OwnMatrices own;
+  if ((byte & 4) != 0) own.world = (byte & 8) != 0 ? Handedness::kLeft : Handedness::kRight;
   const std::size_t dialect = std::size_t(byte) >> 5;
-  if (dialect < api_dialects().size()) o.dialect = &api_dialects()[dialect];
+  if (dialect < api_dialects().size()) own.dialect = &api_dialects()[dialect];
+  return own;
+}
+
+PointStepOptions chosen_points(std::uint8_t byte) {
+  PointStepOptions o;
   if ((byte & 16) != 0) {
     o.bits = true;
     o.window = {10, 400, 600, -400};
@@ -64,8 +75,8 @@ PointStepOptions chosen_options(std::uint8_t byte) {
   return o;
 }
 
-void check_report(const PointStepOptions& options) {
-  const auto step = step_points(options);
+void check_report(const PointStepOptions& options, const OwnMatrices& matrices) {
+  const auto step = step_points(options, matrices);
   require(step.has_value(), "matrices that were read are stepped through");
   std::istringstream lines(point_step_text(*step));
   for (std::string line; std::getline(lines, line);) {
@@ -75,13 +86,31 @@ void check_report(const PointStepOptions& options) {
   static_cast<void>(point_step_json(*step).dump());
 }
 
+// A picture with these matrices is refused with a reason, or has matrices that a float can hold.
+void check_view(const OwnMatrices& matrices) {
+  const auto made = view_of_matrices(setup_of(matrices).setup, 640, 360, DepthRange::kStandard);
+  if (!made) {
+    check_error(made.error());
+    return;
+  }
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      require(std::isfinite(float(made->view.clip_from_eye.at(row, column))),
+              "a finite projection");
+      require(std::isfinite(float(made->view.eye_from_world.at(row, column))), "a finite view");
+    }
+  }
+  require(made->view.near > 0 || !made->view.perspective, "a near plane in front of the eye");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  PointStepOptions options = chosen_options(data[0]);
+  OwnMatrices matrices = chosen_conventions(data[0]);
+  std::optional<NumberOrder> order = chosen_order(data[0]);
   std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
-  for (std::optional<std::string>* source : {&options.projection, &options.view, &options.model}) {
+  for (GivenMatrix* given : {&matrices.projection, &matrices.view, &matrices.model}) {
     constexpr std::string_view kSeparator = "%%\n";
     const std::size_t split = text.rfind(kSeparator);
     const bool last = split == std::string_view::npos;
@@ -92,11 +121,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       return 0;
     }
     check_numbers(*matrix);
-    *source = printed(*matrix);
-    if (!options.order) options.order = matrix->order;
+    if (!order) order = matrix->order;
+    const auto again = read_given_matrix("m", printed(*matrix), order);
+    require(again.has_value(), "printed numbers are a matrix");
+    *given = *again;
     if (last) break;
     text = text.substr(0, split);
   }
-  check_report(options);
+  check_report(chosen_points(data[0]), matrices);
+  check_view(matrices);
   return 0;
 }

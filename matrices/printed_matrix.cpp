@@ -1,4 +1,4 @@
-#include "app/step/printed_matrix.h"
+#include <glassbox/matrices/printed_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
 
-namespace glassbox::app {
+namespace glassbox {
 
 namespace {
 
@@ -155,10 +155,56 @@ const char* known_by_columns(const Tokens& tokens, std::size_t i) {
   if (word == "m11" && is_mark(tokens, i + 1, ":")) {
     return "a matrix of System.Numerics, for row vectors";
   }
+  if (word == "_11" && is_mark(tokens, i + 1, "=:")) {
+    return "an XMFLOAT4X4 of DirectXMath, for row vectors";
+  }
   return nullptr;
 }
 
+// Whether this is Unreal's FMatrix, "[1 0 0 0] [0 1 0 0] [0 0 1 0] [0 0 0 1]" in one line: four
+// brackets without commas and without a bracket around them.
+bool is_unreal(const Tokens& tokens) {
+  if (tokens.size() != 24 || tokens.front().line != tokens.back().line) return false;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const std::size_t place = i % 6;
+    if (place == 0 && !is_mark(tokens, i, "[")) return false;
+    if (place == 5 && !is_mark(tokens, i, "]")) return false;
+    if (place != 0 && place != 5 && tokens[i].kind != Kind::kNumber) return false;
+  }
+  return true;
+}
+
+// Whether this is Godot's Transform3D, "[X: (1, 0, 0), Y: (0, 1, 0), Z: (0, 0, 1), O: (0, 0, 0)]":
+// its axes and its origin, twelve numbers.
+bool is_godot(const Tokens& tokens) {
+  std::string names;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].kind != Kind::kName) continue;
+    if (tokens[i].text.size() != 1 || !is_mark(tokens, i + 1, ":")) return false;
+    names += tokens[i].text;
+  }
+  return names == "XYZO";
+}
+
+// Adds the last row, 0 0 0 1, to twelve numbers that are listed by columns.
+void add_last_row(std::vector<Labelled>& numbers) {
+  for (std::size_t column = 0; column < 4; ++column) {
+    Labelled entry = numbers[4 * column];
+    entry.token.value = column == 3 ? 1 : 0;
+    entry.token.digits = 1;
+    numbers.insert(numbers.begin() + std::ptrdiff_t(4 * column + 3), entry);
+  }
+}
+
 void recognise(const Tokens& tokens, MatrixText& matrix) {
+  const char* whole = is_unreal(tokens)  ? "an FMatrix of Unreal, for row vectors"
+                      : is_godot(tokens) ? "a Transform3D of Godot"
+                                         : nullptr;
+  if (whole != nullptr) {
+    matrix.order = NumberOrder::kColumns;
+    matrix.recognised = whole;
+    return;
+  }
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (const char* by = known_by_columns(tokens, i)) {
       matrix.order = NumberOrder::kColumns;
@@ -201,6 +247,7 @@ Result<MatrixText> parse_matrix_text(std::string_view text, const std::string& n
   auto numbers = numbers_of(*tokens, name);
   if (!numbers) return tl::unexpected(numbers.error());
   drop_second_names(*numbers);
+  if (numbers->size() == 12 && is_godot(*tokens)) add_last_row(*numbers);
   if (numbers->size() != 16) return tl::unexpected(count_error(name, numbers->size()));
   MatrixText matrix;
   for (std::size_t i = 0; i < 16; ++i) matrix.numbers[i] = (*numbers)[i].token.value;
@@ -258,4 +305,22 @@ Result<NamedText> read_matrix_source(const std::string& source) {
   return checked({source, contents(in)});
 }
 
-}  // namespace glassbox::app
+Result<GivenMatrix> read_given_matrix(const char* option, const std::string& source,
+                                      std::optional<NumberOrder> asked) {
+  const auto located = [&](Error error) {
+    error.place = error.place.empty() ? option : std::string(option) + ", " + error.place;
+    return tl::unexpected(std::move(error));
+  };
+  const auto read = read_matrix_source(source);
+  if (!read) return located(read.error());
+  const auto parsed = parse_matrix_text(read->text, read->name);
+  if (!parsed) return located(parsed.error());
+  const NumberOrder order = order_of(*parsed, asked);
+  GivenMatrix matrix = to_matrix(*parsed, order);
+  matrix.origin = fmt::format("{}, read by {}", printable(read->name),
+                              order == NumberOrder::kRows ? "rows" : "columns");
+  if (!parsed->recognised.empty()) matrix.origin += fmt::format(" ({})", parsed->recognised);
+  return matrix;
+}
+
+}  // namespace glassbox

@@ -13,6 +13,9 @@
 //   Float32Array(16) [1, 0, ...]      JavaScript: columns; also three.js's elements,
 //                                     {"0": 1, "1": 0, ...} and CSS's matrix3d()
 //   {M11:1 M12:0 ...}                 System.Numerics, with matrices for row vectors: columns here
+//   {_11=1 _12=0 ...}                 DirectXMath's XMFLOAT4X4, likewise
+//   [1 0 0 0] [0 1 0 0] [...] [...]   Unreal's FMatrix, in one line, likewise
+//   [X: (1, 0, 0), Y: ..., O: ...]    Godot's Transform3D, twelve numbers: columns
 //
 // Comments (#, //, /* */) are skipped. Everything else is refused with an error that names line,
 // column and token: a number with letters in it, a scale factor ("1.0e+03 *"), and any number of
@@ -28,7 +31,7 @@
 #include <glassbox/base/error.h>
 #include <glassbox/matrices/matrix_facts.h>
 
-namespace glassbox::app {
+namespace glassbox {
 
 // Whether the first four numbers are the first row of p' = M p, or its first column.
 enum class NumberOrder { kRows, kColumns };
@@ -56,6 +59,11 @@ struct NamedText {
 };
 Result<NamedText> read_matrix_source(const std::string& source);
 
+// Reads a matrix from its source for an option, which errors name. The matrix says where it comes
+// from: "view.txt, read by rows (a matrix of GLM or GLSL)".
+Result<GivenMatrix> read_given_matrix(const char* option, const std::string& source,
+                                      std::optional<NumberOrder> asked);
+
 // The tokens of a printed matrix: numbers, names, and the marks between them.
 struct MatrixToken {
   enum class Kind { kNumber, kName, kMark };
@@ -71,4 +79,4 @@ struct MatrixToken {
 // place.
 Result<std::vector<MatrixToken>> matrix_tokens(std::string_view text, const std::string& name);
 
-}  // namespace glassbox::app
+}  // namespace glassbox

@@ -1,4 +1,4 @@
-#include "app/step/printed_matrix.h"
+#include <glassbox/matrices/printed_matrix.h>
 
 #include <charconv>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <glassbox/base/printable.h>
 
-namespace glassbox::app {
+namespace glassbox {
 
 namespace {
 
@@ -302,4 +302,4 @@ Result<std::vector<MatrixToken>> matrix_tokens(std::string_view text, const std:
   return Lexer(text, name).run();
 }
 
-}  // namespace glassbox::app
+}  // namespace glassbox
