@@ -165,7 +165,8 @@ private:
   // Whether another corner is inside the triangle that would be cut off at `corner`. Corners that
   // turn left are not tested: if any corner is inside, one that does not turn left is inside, too.
   // A corner at the same place as one of the triangle's own corners is ignored, because it may
-  // touch the triangle from outside.
+  // touch the triangle from outside. Its edges can enter the triangle only if their other ends are
+  // inside, and then those are found.
   bool blocked(std::uint32_t corner, Inside inside) {
     const FlatPoint &a = points_[previous_[corner]], &b = points_[corner],
                     &c = points_[next_[corner]];

@@ -18,8 +18,9 @@ struct EarClipping {
 };
 
 // Cuts a counter-clockwise outline of n >= 3 points into n - 2 triangles, which are passed to `cut`
-// as indices into `outline` in the order of the outline. `proper` can be false only if the outline
-// crosses itself, or if the work was more than ear_budget(n).
+// as indices into `outline` in the order of the outline. An outline that touches itself is correct
+// only as rings of find_even_odd(). `proper` can be false only if the outline touches itself in
+// another way or crosses itself, or if the work was more than ear_budget(n).
 //
 // Corners are queued, starting with point 0. A corner is an ear if it turns left and no other
 // corner that does not turn left is in its triangle. An ear is cut off, and its two neighbours go

@@ -4,6 +4,7 @@
 #include <span>
 
 #include <glassbox/mesh/ear_clipping.h>
+#include <glassbox/mesh/even_odd.h>
 #include <glassbox/mesh/exact.h>
 
 namespace glassbox {
@@ -224,8 +225,31 @@ private:
   bool emit_polygon(const Facing& facing) {
     flat_.clear();
     for (const Point<Object>& p : outline_) flat_.push_back(projected_to_front(facing, p));
-    return clip_ears(flat_, [this](const std::array<std::uint32_t, 3>& corners) { emit(corners); })
-        .proper;
+    const EvenOdd even_odd = find_even_odd(flat_);
+    if (even_odd.meeting == Meeting::kTouch) return emit_rings(even_odd.rings);
+    const bool proper =
+        clip_ears(flat_, [this](const std::array<std::uint32_t, 3>& c) { emit(c); }).proper;
+    return proper && even_odd.meeting == Meeting::kNone;
+  }
+
+  // Cuts each part of the inside. The numbers that are left are those of triangles without area:
+  // where corners are repeated, and in spikes.
+  bool emit_rings(const std::vector<std::vector<std::uint32_t>>& rings) {
+    bool proper = true;
+    for (const std::vector<std::uint32_t>& ring : rings) {
+      std::vector<FlatPoint> flat;
+      for (const std::uint32_t corner : ring) flat.push_back(flat_[corner]);
+      const auto cut = [&](const std::array<std::uint32_t, 3>& c) {
+        emit({ring[c[0]], ring[c[1]], ring[c[2]]});
+      };
+      proper = clip_ears(flat, cut).proper && proper;
+    }
+    if (rings.empty()) {
+      result_.degenerate_faces.push_back(face_);
+    } else {
+      result_.degenerate_triangles += first_number_ + std::uint32_t(outline_.size()) - 2 - number_;
+    }
+    return proper;
   }
 
   // Takes the next number for the triangle; keeps the triangle if it has an area.

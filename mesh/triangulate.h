@@ -8,13 +8,15 @@
 //              tie from corner 0
 //   n-gon      ears clipped in a fixed order, in the plane seen along the largest component of
 //              the Newell normal, with exact orientation tests
+//   touching   an n-gon that repeats a corner, or whose edges touch or lie on each other, is first
+//              divided into the parts of its inside by even-odd (mesh/even_odd.h)
 //   otherwise  (the outline crosses itself) the rest after ear clipping is cut as a fan, and
 //              the face is reported
 //
 // If every triangle that is cut off has the same winding as its outline, the triangles cover
-// exactly the inside of the outline: at every point the winding numbers of the triangles and of the
-// outline that is left add up to that of the original outline, so no triangle can cover a place
-// twice or be outside.
+// exactly the inside of an outline that does not cross itself: at every point the winding numbers
+// of the triangles and of the outline that is left add up to that of the original outline, so no
+// triangle can cover a place twice or be outside.
 //
 // Faces and triangles without area yield no triangles but are counted.
 #pragma once
@@ -43,7 +45,7 @@ struct Triangulation {
   std::vector<Triangle> triangles;  // in the order of their numbers
   std::uint32_t numbered = 0;       // count of numbers taken: the sum of n - 2 over the faces
   // Faces without area (exactly zero Newell vector: fewer than 3 distinct corners, collinear ones,
-  // bow-ties).
+  // bow-ties; and outlines that are walked twice, which enclose nothing by even-odd).
   std::vector<std::uint32_t> degenerate_faces;
   std::uint32_t degenerate_triangles = 0;  // dropped from faces that are kept
   // Faces whose outlines cross themselves (or are too complicated, see below): the rest was cut as

@@ -89,6 +89,17 @@ TEST_CASE("what is wrong with a mesh is found, counted and said") {
   }
 }
 
+TEST_CASE("an outline that only touches itself is not said to cross itself") {
+  const WorkingDirectory here;
+  here.write("m.obj",
+             "v -2 -2 0\nv 0 -2 0\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv -2 0 0\n"
+             "f 1 2 3 4 5 6 3 7\n");
+  const Json mesh = info(here, "m.obj")["meshes"][0];
+  CHECK(mesh["self_intersecting_faces"] == 0);
+  CHECK(mesh["triangles"] == 4);
+  CHECK(mesh["area"] == 8);
+}
+
 TEST_CASE("vertices that nothing uses are left out, with a warning") {
   const WorkingDirectory here;
   here.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 7 7 7\nf 1 2 3\n");
