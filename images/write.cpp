@@ -1,5 +1,6 @@
 #include <glassbox/images/write.h>
 
+#include <glassbox/base/ascii_case.h>
 #include <glassbox/images/atomic_file.h>
 
 namespace glassbox {
@@ -11,11 +12,7 @@ std::string lower_case_extension(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   const std::size_t slash = path.rfind('/');
   if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return "";
-  std::string extension = path.substr(dot);
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  }
-  return extension;
+  return lower_case(path.substr(dot));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/ascii_case.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox {
@@ -18,15 +19,6 @@ bool is_digit(char c) {
 }
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-
-bool equals_ignoring_case(std::string_view a, std::string_view lower) {
-  if (a.size() != lower.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const char c = a[i] >= 'A' && a[i] <= 'Z' ? char(a[i] - 'A' + 'a') : a[i];
-    if (c != lower[i]) return false;
-  }
-  return true;
 }
 
 class Lexer {
@@ -135,10 +127,10 @@ private:
 
   // JavaScript writes NaN as null in JSON.
   static bool is_nan(std::string_view word) {
-    return equals_ignoring_case(word, "nan") || word == "null";
+    return equal_ignoring_case(word, "nan") || word == "null";
   }
   static bool is_infinite(std::string_view word) {
-    return equals_ignoring_case(word, "inf") || equals_ignoring_case(word, "infinity");
+    return equal_ignoring_case(word, "inf") || equal_ignoring_case(word, "infinity");
   }
 
   // Reads a name. nan and inf are numbers; other names are kept as labels.

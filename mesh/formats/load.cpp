@@ -1,9 +1,9 @@
 #include <glassbox/mesh/formats/load.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
+#include <glassbox/base/ascii_case.h>
 #include <glassbox/mesh/builtin/scenes.h>
 #include <glassbox/mesh/gltf/load.h>
 #include <glassbox/mesh/obj/load.h>
@@ -19,10 +19,7 @@ bool is_plain_word(const std::string& text) {
 }
 
 std::string lower_case_extension(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return extension;
+  return lower_case(fs::path(path).extension().string());
 }
 
 tl::unexpected<Error> refuse(const std::string& file, std::string cause, std::string remedy) {

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <utility>
+
+#include <glassbox/base/ascii_case.h>
 
 namespace glassbox::obj {
 namespace {
@@ -22,7 +25,7 @@ constexpr MapOption kMapOptions[] = {
 
 const MapOption* find_option(std::string_view word) {
   for (const MapOption& option : kMapOptions) {
-    if (option.name == word) return &option;
+    if (equal_ignoring_case(option.name, word)) return &option;
   }
   return nullptr;
 }
@@ -36,7 +39,7 @@ void set_pair(std::array<float, 2>& pair, const std::vector<float>& numbers) {
 void read_option(const MapOption& option, Words& words, MapStatement& map) {
   if (option.max_arguments == 1) {
     const std::string_view argument = words.next();
-    if (option.name == "-clamp") map.clamp = argument == "on";
+    if (option.name == "-clamp") map.clamp = equal_ignoring_case(argument, "on");
     return;
   }
   std::vector<float> numbers;
@@ -52,11 +55,21 @@ void read_option(const MapOption& option, Words& words, MapStatement& map) {
   if (option.name == "-s") set_pair(map.scale, numbers);
 }
 
+// The keywords in these lists are in small letters: exporters write them in any case.
+
 // Whether the statement names a map that changes the look of a surface but is not drawn here.
 bool is_unsupported_map(std::string_view keyword) {
-  constexpr std::string_view kKeywords[] = {"map_Ka", "map_Ks", "map_Ns", "map_bump", "map_Bump",
-                                            "bump",   "disp",   "decal",  "refl",     "norm",
-                                            "map_Pr", "map_Pm", "map_Ps"};
+  constexpr std::string_view kKeywords[] = {"map_ka", "map_ks", "map_ns", "map_bump",
+                                            "bump",   "disp",   "decal",  "refl",
+                                            "norm",   "map_pr", "map_pm", "map_ps"};
+  return std::ranges::find(kKeywords, keyword) != std::end(kKeywords);
+}
+
+// Whether the statement gives a number of a reflection model that is not drawn: ambient light,
+// refraction, and the metalness and roughness of other programs.
+bool is_unused_number(std::string_view keyword) {
+  constexpr std::string_view kKeywords[] = {"ka", "km", "tf", "ni",  "sharpness", "map_aat", "pr",
+                                            "pm", "ps", "pc", "pcr", "aniso",     "anisor"};
   return std::ranges::find(kKeywords, keyword) != std::end(kKeywords);
 }
 
@@ -70,37 +83,57 @@ public:
     const std::size_t before = materials_.size();
     while (lines_.next()) {
       Words words(lines_.text());
-      const std::string_view keyword = words.next();
+      const std::string_view written = words.next();
+      const std::string keyword = lower_case(written);
       if (keyword == "newmtl") {
         materials_.emplace_back().name = words.rest();
       } else if (materials_.size() > before) {
-        statement(keyword, words, materials_.back());
+        statement(keyword, written, words, materials_.back());
+      } else {
+        stray_.add(lines_.number());
       }
     }
-    unreadable_.report(("statements of " + in_quotes(library_) + " could not be read").c_str(),
-                       warnings_);
-    for (const auto& [keyword, count] : left_out_) {
-      warnings_.add(in_quotes(library_) + " names textures that are not drawn: " +
-                    std::string(keyword) + " (" + std::to_string(count) + ")");
+    const std::string name = in_quotes(library_);
+    unreadable_.report(("statements of " + name + " could not be read").c_str(), warnings_);
+    stray_.report(
+        ("statements of " + name + " stand before the first newmtl and were ignored").c_str(),
+        warnings_);
+    unknown_.report(
+        ("unknown statements of " + name + " were ignored, " + first_unknown_ + " among them")
+            .c_str(),
+        warnings_);
+    for (const auto& [keyword, map] : left_out_) {
+      warnings_.add(name + " names textures that are not drawn: " + map.written + " (" +
+                    std::to_string(map.count) + ")");
     }
   }
 
 private:
-  void statement(std::string_view keyword, Words words, MtlMaterial& material) {
-    if (keyword == "Kd") read_color(words, material.diffuse);
-    if (keyword == "Ks") read_color(words, material.specular);
-    if (keyword == "Ke") read_color(words, material.emission);
-    if (keyword == "Ns") read_number(words, material.exponent);
-    if (keyword == "Tr") read_number(words, material.transparency);
-    if (keyword == "d") read_number(words, material.opacity);
-    if (keyword == "illum") {
-      material.illumination = parse_integer(words.next());
-      if (!material.illumination) unreadable_.add(lines_.number());
+  // `keyword` is the word `written` in small letters.
+  void statement(const std::string& keyword, std::string_view written, Words words,
+                 MtlMaterial& material) {
+    if (keyword == "kd") return read_color(words, material.diffuse);
+    if (keyword == "ks") return read_color(words, material.specular);
+    if (keyword == "ke") return read_color(words, material.emission);
+    if (keyword == "ns") return read_number(words, material.exponent);
+    if (keyword == "tr") return read_number(words, material.transparency);
+    if (keyword == "d") return read_number(words, material.opacity);
+    if (keyword == "illum") return read_illumination(words, material);
+    if (keyword == "map_kd") return read_map(words, material.diffuse_map);
+    if (keyword == "map_d") return read_map(words, material.opacity_map);
+    if (keyword == "map_ke") return read_map(words, material.emission_map);
+    if (is_unsupported_map(keyword)) {
+      LeftOut& map = left_out_[keyword];
+      if (map.count++ == 0) map.written = written;
+    } else if (!is_unused_number(keyword)) {
+      if (first_unknown_.empty()) first_unknown_ = in_quotes(written);
+      unknown_.add(lines_.number());
     }
-    if (keyword == "map_Kd") read_map(words, material.diffuse_map);
-    if (keyword == "map_d") read_map(words, material.opacity_map);
-    if (keyword == "map_Ke") read_map(words, material.emission_map);
-    if (is_unsupported_map(keyword)) ++left_out_[keyword];
+  }
+
+  void read_illumination(Words words, MtlMaterial& material) {
+    material.illumination = parse_integer(words.next());
+    if (!material.illumination) unreadable_.add(lines_.number());
   }
 
   // r [g b]: g and b equal r if they are left out. The forms "spectral" and "xyz" are not read.
@@ -119,7 +152,7 @@ private:
   // "d -halo factor" is read as "d factor": the halo depends on the view.
   void read_number(Words words, std::optional<float>& value) {
     std::string_view word = words.next();
-    if (word == "-halo") word = words.next();
+    if (equal_ignoring_case(word, "-halo")) word = words.next();
     const Number number = parse_number(word);
     if (number.kind != Number::Kind::kFinite) return unreadable_.add(lines_.number());
     value = number.value;
@@ -135,8 +168,13 @@ private:
   std::string_view library_;
   std::vector<MtlMaterial>& materials_;
   Warnings& warnings_;
-  OccurrenceCount unreadable_;
-  std::map<std::string_view, int> left_out_;  // by keyword: the number of its occurrences
+  OccurrenceCount unreadable_, stray_, unknown_;
+  std::string first_unknown_;
+  struct LeftOut {
+    std::string written;  // at the first occurrence
+    int count = 0;
+  };
+  std::map<std::string, LeftOut> left_out_;  // by keyword
 };
 
 }  // namespace

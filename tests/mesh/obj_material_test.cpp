@@ -1,3 +1,4 @@
+#include <cctype>
 #include <string>
 
 #include <glassbox/mesh/obj/load.h>
@@ -54,6 +55,48 @@ TEST_CASE("MTL: textures that are not drawn are named once for each kind, with t
   REQUIRE(scene.warnings.size() == 2);
   CHECK(scene.warnings[0].find("not drawn: map_Bump (2)") != std::string::npos);
   CHECK(scene.warnings[1].find("not drawn: map_Ks (1)") != std::string::npos);
+}
+
+TEST_CASE("MTL: keywords and options may be written in any case, names may not") {
+  // A file of every statement that is read, and what becomes of it.
+  const std::string file =
+      "newmtl M\nKd 0.25 0.5 1\nKs 0.5 0.25 1\nKe 1 2 3\nNs 30\nd 0.5\nillum 2\n"
+      "map_Kd -s 2 2 -clamp on a.png\nmap_Bump b.png\nKa 1 1 1\nTf 1 1 1\n";
+  const auto in_case = [&](int (*change)(int)) {
+    std::string text = file;
+    for (std::size_t line = 0; line < text.size(); line = text.find('\n', line) + 1) {
+      for (std::size_t i = line; text[i] != ' '; ++i) text[i] = char(change(text[i]));
+    }
+    return with_usemtl("M", text);
+  };
+  const Scene as_written = with_usemtl("M", file);
+  REQUIRE(as_written.materials[0].base_color == Rgba{0.25f, 0.5f, 1, 0.5f});
+  for (const Scene& scene : {in_case(std::toupper), in_case(std::tolower)}) {
+    const Material &a = as_written.materials[0], &b = scene.materials[0];
+    CHECK(b.name == "M");
+    CHECK(b.base_color == a.base_color);
+    CHECK(b.specular == a.specular);
+    CHECK(b.emission == a.emission);
+    CHECK(b.shininess == a.shininess);
+    CHECK(b.alpha_mode == a.alpha_mode);
+    REQUIRE(scene.warnings.size() == as_written.warnings.size());
+  }
+  CHECK(with_usemtl("m", file).materials[0].base_color == Rgba{1, 1, 1, 1});
+  const obj::MapStatement map = obj::parse_map("-O 0.5 -S 2 -CLAMP ON a.png");
+  CHECK(map.offset[0] == 0.5f);
+  CHECK(map.scale[0] == 2);
+  CHECK(map.clamp);
+}
+
+TEST_CASE("MTL: unknown statements and those of no material are named, not passed over") {
+  const Scene scene =
+      with_usemtl("m", "Kd 1 0 0\nnewmtl m\nKdd 1 0 0\nmap_Diffuse a.png\nNi 1.5\nPr 0.5\n");
+  CHECK(scene.warnings ==
+        std::vector<std::string>{
+            "1 statements of 'the MTL text' stand before the first newmtl and were ignored (first "
+            "in line 1)",
+            "2 unknown statements of 'the MTL text' were ignored, 'Kdd' among them (first in line "
+            "3)"});
 }
 
 TEST_CASE("MTL: exponents are rounded into 1 .. 1024") {
