@@ -9,6 +9,7 @@
 #include <glassbox/mesh/obj/build.h>
 #include <glassbox/mesh/obj/materials.h>
 #include <glassbox/mesh/obj/parse.h>
+#include <glassbox/mesh/obj/smoothing.h>
 
 namespace glassbox {
 namespace {
@@ -25,8 +26,9 @@ struct MtlText {
 Result<Scene> load_text(std::string_view text, const MtlText* mtl, obj::Directory directory,
                         const LoadLimits& limits) {
   obj::Warnings warnings;
-  const auto tables = obj::parse_obj(text, limits, warnings);
+  auto tables = obj::parse_obj(text, limits, warnings);
   if (!tables) return tl::unexpected(tables.error());
+  obj::add_group_normals(*tables);
   Scene scene;
   obj::MaterialMaker materials(scene, directory, limits, warnings);
   if (mtl != nullptr) {

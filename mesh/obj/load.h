@@ -27,6 +27,9 @@ namespace glassbox {
 //   - "w" of a vertex is the weight of free-form curves and does not move a polygon's corner;
 //   - "d" is the opacity, "Tr" one minus it; where both are given, "d" counts. Below 1 a surface
 //     blends;
+//   - in a file without normals, the faces of a smoothing group ("s 1") get one normal at each
+//     vertex, from the sum of the group's Newell vectors there. Faces in no group ("s off", or no
+//     "s" before them) are flat. If the file has normals, smoothing groups change nothing;
 //   - illum 0 is drawn unlit, illum 1 without highlight;
 //   - faces are visible from both sides: the format does not say which is the outside.
 //

@@ -28,9 +28,8 @@ bool is_free_form(std::string_view keyword) {
 
 // Whether the statement controls rendering in a way that the scene does not use.
 bool is_render_state(std::string_view keyword) {
-  constexpr std::string_view kKeywords[] = {"s",          "mg",       "bevel",  "c_interp",
-                                            "lod",        "d_interp", "maplib", "usemap",
-                                            "shadow_obj", "trace_obj"};
+  constexpr std::string_view kKeywords[] = {
+      "mg", "bevel", "c_interp", "lod", "d_interp", "maplib", "usemap", "shadow_obj", "trace_obj"};
   return std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
 }
 
@@ -87,6 +86,8 @@ private:
       part_.group = tables_.names.number_of(without_comment(words.rest()));
     } else if (keyword == "o") {
       part_.object = tables_.names.number_of(without_comment(words.rest()));
+    } else if (keyword == "s") {
+      smoothing(words.next());
     } else if (keyword == "mtllib") {
       library(words.rest());
     } else if (is_free_form(keyword)) {
@@ -207,8 +208,19 @@ private:
     const auto [known, is_first] =
         part_numbers_.try_emplace(part_, std::uint32_t(tables_.parts.size()));
     if (is_first) tables_.parts.push_back(part_);
-    tables_.elements.push_back({std::uint32_t(first), std::uint32_t(count), known->second, kind});
+    tables_.elements.push_back(
+        {std::uint32_t(first), std::uint32_t(count), known->second, smoothing_group_, kind});
     return {};
+  }
+
+  // Reads the word after "s": the number of a group from 1, or "off" or 0 for none. Some programs
+  // write "on".
+  void smoothing(std::string_view word) {
+    const auto group = parse_integer(word);
+    const bool known =
+        group ? *group >= 0 && *group < std::int64_t(kNone) : word == "off" || word == "on";
+    if (!known) odd_groups_.add(lines_.number());
+    smoothing_group_ = !known ? 0 : group ? std::uint32_t(*group) : word == "on" ? 1 : 0;
   }
 
   // Parses i, i/j, i//k or i/j/k; an index that is left out after a slash is missing.
@@ -330,6 +342,8 @@ private:
     odd_texcoords_.report("texture coordinates are not finite numbers and were left out",
                           warnings_);
     odd_normals_.report("normals are zero or not finite and were left out", warnings_);
+    odd_groups_.report("smoothing groups are neither numbers nor off, and were taken as off",
+                       warnings_);
     many_libraries_.report("material libraries beyond the first 256 were ignored", warnings_);
     if (!first_unknown_.empty()) {
       unknown_.report(
@@ -352,8 +366,9 @@ private:
   IndexedTable texcoords_{"texture coordinate"};
   IndexedTable normals_{"normal"};
 
+  std::uint32_t smoothing_group_ = 0;
   OccurrenceCount short_faces_, short_lines_, free_form_, unknown_, odd_texcoords_, odd_normals_,
-      weights_, odd_colors_, more_numbers_, many_libraries_;
+      weights_, odd_colors_, more_numbers_, many_libraries_, odd_groups_;
   std::string first_unknown_;
 };
 

@@ -45,6 +45,7 @@ struct Element {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   std::uint32_t part = 0;
+  std::uint32_t smoothing_group = 0;  // 0: in none
   ElementKind kind = ElementKind::kFace;
 };
 
