@@ -1,4 +1,4 @@
-// Characters of UTF-8 text from files, which may be invalid.
+// Characters of text from files in UTF-8, which may be invalid, and from UTF-16 and Latin-1.
 #pragma once
 
 #include <optional>
@@ -39,19 +39,69 @@ inline bool is_utf8(std::string_view text) {
   return text.empty();
 }
 
+// The text without the mark with which some editors begin a file in UTF-8.
+inline std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
+// Appends a character, at most 0x10ffff.
+inline void append_utf8(std::string& text, char32_t character) {
+  const auto append_byte = [&](char32_t byte) { text += static_cast<char>(byte); };
+  if (character < 0x80) return append_byte(character);
+  const int more = character < 0x800 ? 1 : character < 0x10000 ? 2 : 3;
+  append_byte((0xff00u >> (more + 1) & 0xff) | character >> (6 * more));
+  for (int i = more - 1; i >= 0; --i) append_byte(0x80 | (character >> (6 * i) & 0x3f));
+}
+
+enum class ByteOrder { kLittleEndian, kBigEndian };
+
+// The byte order of text in UTF-16, which Windows programs write: it begins with the mark FF FE or
+// FE FF, or with an ASCII character, of which one byte is zero. None for any other text.
+inline std::optional<ByteOrder> utf16_byte_order(std::string_view text) {
+  if (text.size() < 2) return std::nullopt;
+  const auto first = static_cast<unsigned char>(text[0]),
+             second = static_cast<unsigned char>(text[1]);
+  const bool one_is_ascii = (first | second) != 0 && (first | second) < 0x80;
+  if ((first == 0xff && second == 0xfe) || (second == 0 && one_is_ascii)) {
+    return ByteOrder::kLittleEndian;
+  }
+  if ((first == 0xfe && second == 0xff) || (first == 0 && one_is_ascii)) {
+    return ByteOrder::kBigEndian;
+  }
+  return std::nullopt;
+}
+
+// Text in UTF-16 as UTF-8, without a mark. Half of a pair of surrogates becomes U+FFFD, and an odd
+// last byte is left out.
+inline std::string utf8_of_utf16(std::string_view text, ByteOrder order) {
+  const auto unit = [&](std::size_t i) {
+    const std::size_t low = order == ByteOrder::kLittleEndian ? i : i + 1;
+    return char32_t(static_cast<unsigned char>(text[low])) |
+           char32_t(static_cast<unsigned char>(text[low == i ? i + 1 : i])) << 8;
+  };
+  constexpr char32_t kMark = 0xfeff, kReplacement = 0xfffd;
+  std::string out;
+  out.reserve(text.size() / 2);
+  for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
+    char32_t character = unit(i);
+    if (character == kMark && i == 0) continue;
+    if (character >= 0xd800 && character < 0xe000) {
+      const char32_t low = character < 0xdc00 && i + 3 < text.size() ? unit(i + 2) : 0;
+      const bool pair = low >= 0xdc00 && low < 0xe000;
+      character = pair ? 0x10000 + ((character - 0xd800) << 10 | (low - 0xdc00)) : kReplacement;
+      if (pair) i += 2;
+    }
+    append_utf8(out, character);
+  }
+  return out;
+}
+
 // Latin-1 (ISO 8859-1) uses the same character numbers as Unicode.
 inline std::string utf8_of_latin1(std::string_view text) {
   std::string out;
   out.reserve(text.size());
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      out += c;
-    } else {
-      out += char(0xc0 | byte >> 6);
-      out += char(0x80 | (byte & 0x3f));
-    }
-  }
+  for (const char c : text) append_utf8(out, static_cast<unsigned char>(c));
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
+#include <glassbox/base/utf8.h>
 
 namespace glassbox {
 
@@ -281,7 +282,12 @@ Result<NamedText> read_matrix_source(const std::string& source) {
     return text;
   };
   const auto checked = [](NamedText read) -> Result<NamedText> {
-    if (read.text.size() <= kMaxBytes) return read;
+    if (read.text.size() <= kMaxBytes) {
+      if (const auto order = utf16_byte_order(read.text)) {
+        read.text = utf8_of_utf16(read.text, *order);
+      }
+      return read;
+    }
     return tl::unexpected(Error{read.name, "", fmt::format("is longer than {} bytes", kMaxBytes),
                                 "give the matrix alone"});
   };

@@ -4,21 +4,25 @@
 #include <string>
 #include <string_view>
 
+#include <glassbox/base/utf8.h>
 #include <glassbox/mesh/gltf/load.h>
 #include <glassbox/mesh/obj/load.h>
+#include <glassbox/mesh/ply/header.h>
 #include <glassbox/mesh/ply/load.h>
 
 namespace glassbox {
 
 std::optional<SceneFormat> format_of(std::span<const std::byte> bytes) {
   constexpr std::size_t kBeginning = 1024;
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   std::string_view text(reinterpret_cast<const char*>(bytes.data()),
                         std::min(bytes.size(), kBeginning));
   if (text.starts_with("glTF")) return SceneFormat::kGlb;
-  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return SceneFormat::kPly;
+  std::string converted;
+  if (const auto order = utf16_byte_order(text)) text = converted = utf8_of_utf16(text, *order);
+  if (ply::begins_as_ply(text) && text.find_first_of("\r\n") != std::string_view::npos)
+    return SceneFormat::kPly;
   if (text.find('\0') != std::string_view::npos) return std::nullopt;
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text = without_byte_order_mark(text);
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos) return std::nullopt;
   return text[start] == '{' ? SceneFormat::kGltf : SceneFormat::kObj;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <glassbox/base/counted.h>
+#include <glassbox/base/utf8.h>
 #include <glassbox/mesh/gltf/schema_tables.h>
 #include <glassbox/mesh/gltf/text.h>
 
@@ -269,6 +270,10 @@ Result<Document> read_document(std::string_view text) {
   if (too_deep(text)) {
     return fail("JSON", "is nested deeper than " + std::to_string(kMaxDepth) + " levels",
                 "put fewer lists and objects inside each other");
+  }
+  if (utf16_byte_order(text)) {
+    return fail("JSON", "is text in UTF-16, but glTF is UTF-8",
+                "save the file as UTF-8 without a byte order mark");
   }
   // The parser would skip a byte order mark, which glTF forbids.
   if (text.starts_with("\xef\xbb\xbf")) {

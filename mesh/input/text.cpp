@@ -5,6 +5,8 @@
 #include <cmath>
 #include <system_error>
 
+#include <glassbox/base/utf8.h>
+
 namespace glassbox::obj {
 namespace {
 
@@ -52,9 +54,11 @@ std::string_view without_comment(std::string_view text) {
   return text;
 }
 
-Lines::Lines(std::string_view text) : rest_(text) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+Lines::Lines(std::string_view text) : rest_(without_byte_order_mark(text)) {
+  if (const auto order = utf16_byte_order(text)) {
+    converted_ = utf8_of_utf16(text, *order);
+    rest_ = converted_;
+  }
 }
 
 std::string_view Lines::take_physical_line() {

@@ -19,9 +19,12 @@ std::string_view without_comment(std::string_view text);
 
 // The lines of a text, with any line endings (LF, CR LF or CR). A backslash at the end of a line
 // joins the next line to it, except in a comment, where it is usually the end of a Windows path.
+// The text may be in UTF-8, with or without a byte order mark, or in UTF-16, which is converted.
 class Lines {
 public:
   explicit Lines(std::string_view text);
+  Lines(const Lines&) = delete;
+  Lines& operator=(const Lines&) = delete;
 
   // Moves to the next line that is neither blank nor a comment; false at the end of the text.
   bool next();
@@ -32,6 +35,7 @@ public:
 private:
   std::string_view take_physical_line();
 
+  std::string converted_;  // the whole text, if it was in UTF-16
   std::string_view rest_;
   std::string_view line_;
   std::string joined_;

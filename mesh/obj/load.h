@@ -38,10 +38,10 @@ namespace glassbox {
 //
 // The file may be hostile: nothing outside its directory is read, and time and memory are
 // proportional to the files read, within `limits`. A statement that cannot be drawn as written (an
-// index out of range, a coordinate that is not a finite number, nothing to draw at all) is an error
-// with its line. Something that can be left out (a missing library or texture, unknown statements,
-// faces of fewer than three corners, indices of normals in a file without normals) is a warning of
-// the scene.
+// index out of range, a coordinate of a drawn vertex that is not a finite number, nothing to draw
+// at all) is an error with its line. Something that can be left out (a missing library or texture,
+// unknown statements, faces of fewer than three corners, indices of normals in a file without
+// normals) is a warning of the scene. Text in UTF-16 is read, too.
 Result<Scene> load_obj(const std::string& path, const LoadLimits& limits = {});
 
 // Reads OBJ text in memory, with `mtl` as the only material library. No file is read, so textures

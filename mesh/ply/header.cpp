@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <glassbox/base/utf8.h>
 #include <glassbox/mesh/input/text.h>
 
 namespace glassbox::ply {
@@ -54,7 +55,11 @@ private:
   // because binary data may begin with a byte that looks like half of a line ending.
   Result<void> take_magic() {
     const std::size_t end = std::min(file_.find_first_of("\r\n"), file_.size());
-    if (file_.substr(0, end) != "ply" || end == file_.size()) {
+    if (utf16_byte_order(file_)) {
+      return fail("line 1", "is text in UTF-16, but PLY is ASCII",
+                  "save the file as ASCII or UTF-8");
+    }
+    if (!begins_as_ply(file_) || end == file_.size()) {
       return fail("line 1", "is not 'ply'", "give a PLY file, or export a damaged one again");
     }
     ending_ =
@@ -217,6 +222,11 @@ std::optional<std::size_t> Element::find(std::initializer_list<std::string_view>
 const Element* Header::find(std::string_view name) const {
   const auto found = std::ranges::find(elements, name, &Element::name);
   return found == elements.end() ? nullptr : &*found;
+}
+
+bool begins_as_ply(std::string_view file) {
+  file = without_byte_order_mark(file);
+  return trimmed(file.substr(0, file.find_first_of("\r\n"))) == "ply";
 }
 
 Result<Header> parse_header(std::string_view file) {

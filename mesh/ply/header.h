@@ -51,6 +51,9 @@ struct Header {
   const Element* find(std::string_view name) const;
 };
 
+// Whether the first line is "ply", apart from a byte order mark before it and blanks behind it.
+bool begins_as_ply(std::string_view file);
+
 // Checks every line, and that the counts of elements fit into the bytes after the header: in binary
 // a value has the bytes of its type, in text at least a digit and a blank, and a list has at least
 // its count.

@@ -16,6 +16,8 @@ TEST_CASE("a matrix is read from whatever layout a program prints it in") {
   std::string eigen = numbers(m, false, "%12.6g"), nested, glm = "mat4x4(", c_assignments,
               gdb = "{value = {";
   std::string glam = "Mat4 { ", numerics = "{ ", keyed, directx = "{", unreal, godot = "[";
+  std::string utf16;
+  for (const char c : plain_rows(m)) utf16 += {c, '\0'};
   const char* axes = "xyzw";
   for (std::size_t i = 0; i < 4; ++i) {
     char row[200], column[200], line[800];
@@ -92,6 +94,8 @@ TEST_CASE("a matrix is read from whatever layout a program prints it in") {
        "{\"name\": \"view matrix 3\", \"rows\": [" + numbers(m, false, "%.9g", ", ") + "]}", ""},
       {"a comment above", "# view matrix of camera 3\n" + plain_rows(m), ""},
       {"labelled rows", "row 0: 1 0 0 0\nrow 1: 0 1 0 0\nrow 2: 0 0 1 −5\nrow 3: 0 0 0 1\n", ""},
+      {"PowerShell in UTF-16", "\xff\xfe" + utf16, ""},
+      {"UTF-16 without a mark", utf16, ""},
   };
   for (const Layout& layout : layouts) {
     CAPTURE(layout.name);

@@ -2,6 +2,7 @@
 // loader or makes it allocate memory out of proportion.
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "tests/support/catch.h"
 
 #include <glassbox/base/random.h>
+#include <glassbox/mesh/formats/load_memory.h>
 
 namespace glassbox::test {
 namespace {
@@ -135,6 +137,21 @@ TEST_CASE("PLY: a point cloud and what has nothing to draw are refused with what
                          "no face has three corners or more"));
   CHECK(message_mentions(error_of_ply(with("property float z", "property float w")),
                          "no numbers x, y and z"));
+}
+
+TEST_CASE("PLY: a byte order mark before the magic and blanks behind it are passed over") {
+  for (const PlyFormat format :
+       {PlyFormat::kAscii, PlyFormat::kLittleEndian, PlyFormat::kBigEndian}) {
+    const std::string rest = ply_triangle(format).file().substr(3);
+    for (const char* magic : {"\xef\xbb\xbfply", "ply ", "ply \t ", "\xef\xbb\xbfply "}) {
+      const std::string file = magic + rest;
+      CHECK(error_of_ply(file) == "");
+      CHECK(format_of(std::as_bytes(std::span(file))) == SceneFormat::kPly);
+    }
+  }
+  CHECK(message_mentions(error_of_ply(with("ply\n", "ply x\n")), "line 1: is not 'ply'"));
+  CHECK(message_mentions(error_of_ply(std::string("\xff\xfep\0l\0y\0\n\0", 10)),
+                         "line 1: is text in UTF-16"));
 }
 
 TEST_CASE("PLY: headers that are not right are refused by their line") {
