@@ -5,14 +5,23 @@
 #include <cmath>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <glassbox/base/counted.h>
+#include <glassbox/mesh/ply/colors.h>
 #include <glassbox/mesh/ply/property_indices.h>
 #include <glassbox/mesh/ply/values.h>
 
 namespace glassbox::ply {
 namespace {
+
+struct UnreadablePosition {
+  std::uint32_t index;  // of the vertex
+  char axis;
+  const char* what;
+  std::string place;  // in the file
+};
 
 class Builder {
 public:
@@ -23,14 +32,16 @@ public:
   Result<PlyMesh> run() {
     if (auto done = check_elements(); !done) return tl::unexpected(done.error());
     for (const Element& element : header_.elements) {
-      auto done = element.name == "vertex" ? read_vertices(element)
-                  : element.name == "face" ? read_faces(element)
-                                           : read_over(element);
+      auto done = element.name == "vertex"      ? read_vertices(element)
+                  : element.name == "face"      ? read_faces(element)
+                  : element.name == "tristrips" ? read_strips(element)
+                                                : read_over(element);
       if (!done) return tl::unexpected(done.error());
     }
     if (built_.mesh.faces.empty()) {
-      return fail("element 'face'", "no face has three corners or more", "export the file again");
+      return fail("data", "no face or strip has three corners or more", "export the file again");
     }
+    if (auto done = settle_unreadable_positions(); !done) return tl::unexpected(done.error());
     complete_corners();
     report();
     return std::move(built_);
@@ -39,7 +50,10 @@ public:
 private:
   Result<void> check_elements() const {
     const Element* vertices = header_.find("vertex");
-    const Element* faces = header_.find("face");
+    const auto has = [&](std::string_view name) {
+      const Element* element = header_.find(name);
+      return element != nullptr && element->count > 0;
+    };
     if (vertices == nullptr || vertices->count == 0) {
       return fail("header", "there are no vertices", "choose a file with a mesh");
     }
@@ -48,11 +62,7 @@ private:
         return fail("element 'vertex'", "has no numbers x, y and z", "export the file again");
       }
     }
-    if (faces != nullptr && faces->count > 0) return {};
-    if (header_.find("tristrips") != nullptr) {
-      return fail("header", "its faces are triangle strips, which are not read",
-                  "export it with polygons: an element 'face' with a list 'vertex_indices'");
-    }
+    if (has("face") || has("tristrips")) return {};
     return fail("header",
                 "has " + counted(vertices->count, "vertex", "vertices") +
                     " and no faces: a point cloud, which has no surface to draw",
@@ -123,30 +133,47 @@ private:
     built_.mesh.positions.reserve(element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!read_row(element)) return refuse("vertex", i, problem_, "export the file again");
-      if (auto done = add_position(indices, i); !done) return done;
+      add_position(indices, i);
       if (indices.has_normals()) add_normal(indices, i);
       if (indices.has_texcoords())
         add_texcoord(row_[*indices.texcoord[0]], row_[*indices.texcoord[1]], i);
-      if (indices.color.complete()) add_color(element, indices.color);
+      if (indices.color.complete()) vertex_colors_.add(element, indices.color, row_);
     }
-    vertex_colors_ = indices.color.complete();
     return {};
   }
 
-  Result<void> add_position(const VertexPropertyIndices& indices, std::uint64_t index) {
+  // Takes a position that is not finite as the origin until it is known whether a face uses it.
+  void add_position(const VertexPropertyIndices& indices, std::uint64_t index) {
     std::array<float, 3> p{};
     for (std::size_t k = 0; k < 3; ++k) {
       const double number = row_[*indices.position[k]];
       p[k] = float(number);
-      if (!std::isfinite(p[k])) {
-        const char* what = std::isnan(number)   ? "not a number (NaN)"
-                           : std::isinf(number) ? "infinite"
-                                                : "beyond what a float can hold";
-        return refuse("vertex", index, std::string("its ") + "xyz"[k] + " is " + what,
-                      "repair the vertex and export the file again");
-      }
+      if (std::isfinite(p[k])) continue;
+      const char* what = std::isnan(number)   ? "not a number (NaN)"
+                         : std::isinf(number) ? "infinite"
+                                              : "beyond what a float can hold";
+      unreadable_.push_back({std::uint32_t(index), "xyz"[k], what, values_.position_text()});
+      p = {};
+      break;
     }
     built_.mesh.positions.push_back({p[0], p[1], p[2]});
+  }
+
+  // A position that is not finite is an error only if something is drawn with it.
+  Result<void> settle_unreadable_positions() {
+    if (unreadable_.empty()) return {};
+    std::vector<bool> used(built_.mesh.positions.size(), false);
+    for (const Corner& corner : built_.mesh.corners) used[corner.position] = true;
+    obj::OccurrenceCount unused;
+    for (const UnreadablePosition& vertex : unreadable_) {
+      if (used[vertex.index]) {
+        return fail("vertex " + std::to_string(vertex.index) + " (" + vertex.place + ")",
+                    std::string("its ") + vertex.axis + " is " + vertex.what,
+                    "repair the vertex and export the file again");
+      }
+      unused.add(vertex.index);
+    }
+    unused.report("unused vertices do not have three finite numbers", warnings_, ": vertex");
     return {};
   }
 
@@ -174,33 +201,26 @@ private:
     return std::uint32_t(built_.mesh.texcoords.size() - 1);
   }
 
-  std::uint32_t add_color(const Element& element, const ColorPropertyIndices& indices) {
-    const auto type = [&](const PropertyIndex& index) { return element.properties[*index].type; };
-    Rgba color{light_of(row_[*indices.red], type(indices.red)),
-               light_of(row_[*indices.green], type(indices.green)),
-               light_of(row_[*indices.blue], type(indices.blue)), 1.0f};
-    if (indices.alpha) {
-      color.a = float(clamp_to_unit(fraction_of(row_[*indices.alpha], type(indices.alpha))));
-    }
-    built_.mesh.colors.push_back(color);
-    return std::uint32_t(built_.mesh.colors.size() - 1);
-  }
-
   // ---- faces ----
 
-  Result<void> read_faces(const Element& element) {
+  // The list of vertices of a face or of a strip.
+  static Result<std::size_t> list_of_vertices(const Element& element) {
     const PropertyIndex indices = element.find({"vertex_indices", "vertex_index"});
     if (!indices || !element.properties[*indices].count_type ||
         !is_integer(element.properties[*indices].type)) {
-      return fail("element 'face'", "has no list 'vertex_indices' of integers",
+      return fail("element " + in_quotes(element.name), "has no list 'vertex_indices' of integers",
                   "export the file again");
     }
+    return *indices;
+  }
+
+  Result<void> read_faces(const Element& element) {
+    const auto indices = list_of_vertices(element);
+    if (!indices) return tl::unexpected(indices.error());
     const PropertyIndex texcoords = element.find({"texcoord"});
     const ColorPropertyIndices color(element);
     warn_about_unread(element, "face properties",
-                      {indices, texcoords, color.red, color.green, color.blue, color.alpha});
-    Mesh& mesh = built_.mesh;
-    const auto max_corners = std::min(limits_.max_corners, std::uint64_t(kNone));
+                      {*indices, texcoords, color.red, color.green, color.blue, color.alpha});
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!read_row(element)) return refuse("face", i, problem_, "export the file again");
       const std::vector<double>& corners = lists_[*indices];
@@ -208,31 +228,57 @@ private:
         short_faces_.add(i);
         continue;
       }
-      if (corners.size() > max_corners - mesh.corners.size()) {
-        return refuse("face", i,
-                      "up to here the faces have more than " + std::to_string(max_corners) +
-                          " corners, the most that are read",
-                      "use a smaller mesh (in the library: LoadLimits::max_corners)");
-      }
-      mesh.faces.push_back({std::uint32_t(mesh.corners.size()), std::uint32_t(corners.size())});
-      if (auto done = add_corners(corners, i); !done) return done;
+      if (auto done = add_face(corners, "face", i); !done) return done;
       if (texcoords) add_wedges(element.properties[*texcoords], lists_[*texcoords], i);
       if (color.complete()) add_face_color(element, color);
     }
     return {};
   }
 
-  Result<void> add_corners(const std::vector<double>& corners, std::uint64_t face) {
+  Result<void> add_face(std::span<const double> corners, const char* element, std::uint64_t index) {
+    Mesh& mesh = built_.mesh;
+    const auto max_corners = std::min(limits_.max_corners, std::uint64_t(kNone));
+    if (corners.size() > max_corners - mesh.corners.size()) {
+      return refuse(element, index,
+                    "up to here the faces have more than " + std::to_string(max_corners) +
+                        " corners, the most that are read",
+                    "use a smaller mesh (in the library: LoadLimits::max_corners)");
+    }
+    mesh.faces.push_back({std::uint32_t(mesh.corners.size()), std::uint32_t(corners.size())});
     const std::uint64_t count = header_.find("vertex")->count;
-    for (const double index : corners) {
-      if (!(index >= 0 && index < double(count))) {
-        return refuse("face", face,
-                      "names vertex " + std::to_string(std::int64_t(index)) +
+    for (const double vertex : corners) {
+      if (!(vertex >= 0 && vertex < double(count))) {
+        return refuse(element, index,
+                      "names vertex " + std::to_string(std::int64_t(vertex)) +
                           ", but the file has only " + std::to_string(count) +
                           " (numbers start at 0)",
                       "export the file again");
       }
-      built_.mesh.corners.push_back({std::uint32_t(index), kNone, kNone, kNone});
+      mesh.corners.push_back({std::uint32_t(vertex), kNone, kNone, kNone});
+    }
+    return {};
+  }
+
+  // The triangle strips of Stanford's scans: each row has many strips, and -1 ends one. Every second
+  // triangle of a strip is turned, so that all triangles have the same winding. A triangle that
+  // names a vertex twice only leads on to the next one, and is not a face.
+  Result<void> read_strips(const Element& element) {
+    const auto indices = list_of_vertices(element);
+    if (!indices) return tl::unexpected(indices.error());
+    warn_about_unread(element, "strip properties", {*indices});
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!read_row(element)) return refuse("strip", i, problem_, "export the file again");
+      const std::vector<double>& vertices = lists_[*indices];
+      std::size_t begin = 0;  // of the current strip
+      for (std::size_t k = 0; k < vertices.size(); ++k) {
+        if (vertices[k] == -1) begin = k + 1;
+        if (k < begin + 2 || vertices[k] == -1) continue;
+        const double a = vertices[k - 2], b = vertices[k - 1], c = vertices[k];
+        if (a == b || b == c || c == a) continue;
+        const bool turned = (k - begin) % 2 == 1;
+        const std::array<double, 3> triangle = {turned ? b : a, turned ? a : b, c};
+        if (auto done = add_face(triangle, "strip", i); !done) return done;
+      }
     }
     return {};
   }
@@ -259,9 +305,8 @@ private:
   }
 
   void add_face_color(const Element& element, const ColorPropertyIndices& indices) {
-    std::swap(built_.mesh.colors, face_colors_);
-    const std::uint32_t color = add_color(element, indices);
-    std::swap(built_.mesh.colors, face_colors_);
+    const auto color = std::uint32_t(face_colors_.size());
+    face_colors_.add(element, indices, row_);
     const Face& last = built_.mesh.faces.back();
     for (std::uint32_t k = 0; k < last.count; ++k) {
       built_.mesh.corners[last.first + k].color = color;
@@ -274,9 +319,11 @@ private:
   // coordinates equal that of its position, unless faces have their own values.
   void complete_corners() {
     Mesh& mesh = built_.mesh;
-    const bool by_corner = !wedges_.empty(), by_face = !vertex_colors_ && !face_colors_.empty();
+    const bool by_corner = !wedges_.empty();
+    const bool by_face = vertex_colors_.empty() && !face_colors_.empty();
     if (by_corner) mesh.texcoords = std::move(wedges_);
-    if (by_face) mesh.colors = std::move(face_colors_);
+    mesh.colors =
+        by_face ? face_colors_.take("face", warnings_) : vertex_colors_.take("vertex", warnings_);
     for (Corner& corner : mesh.corners) {
       if (!mesh.normals.empty() && has_normal_[corner.position]) corner.normal = corner.position;
       if (!by_corner) corner.texcoord = mesh.texcoords.empty() ? kNone : corner.position;
@@ -340,8 +387,8 @@ private:
   std::string problem_;
   std::vector<bool> has_normal_;
   std::vector<TexCoord> wedges_;
-  std::vector<Rgba> face_colors_;
-  bool vertex_colors_ = false;
+  ColorTable vertex_colors_, face_colors_;
+  std::vector<UnreadablePosition> unreadable_;  // ascending
   obj::OccurrenceCount short_faces_, odd_normals_, odd_texcoords_, odd_wedges_;
   std::vector<std::pair<std::string, std::string>> unread_;
 };

@@ -110,6 +110,29 @@ TEST_CASE("PLY: a position that is no finite number is named by its vertex") {
   CHECK(message_mentions(error_of_ply(b.file()), "vertex 1 (byte "));
 }
 
+TEST_CASE("PLY: a vertex that no face uses may have any numbers, which is a warning") {
+  for (const PlyFormat format :
+       {PlyFormat::kAscii, PlyFormat::kLittleEndian, PlyFormat::kBigEndian}) {
+    PlyBuilder b(format);
+    b.element("vertex", 5).property("double", "x").property("double", "y").property("double", "z");
+    b.element("face", 1).list("uchar", "int", "vertex_indices");
+    b.begin_data();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    b.doubles({0, 0, 0}).end_row();
+    b.doubles({nan, 0, 0}).end_row();
+    b.doubles({1, 0, 0}).end_row();
+    b.doubles({0, -1e300, nan}).end_row();
+    b.doubles({0, 1, 0}).end_row();
+    const auto scene = load_ply_memory(b.uchars({3}).ints({0, 2, 4}).end_row().file());
+    INFO((scene ? "" : scene.error().message()));
+    REQUIRE(scene);
+    CHECK(scene->warnings ==
+          std::vector<std::string>{
+              "2 unused vertices do not have three finite numbers (first: vertex 1)"});
+    for (const auto& p : scene->meshes[0].positions) CHECK(std::isfinite(p.x + p.y + p.z));
+  }
+}
+
 TEST_CASE("PLY: indices out of range are named by their face") {
   CHECK(message_mentions(error_of_ply(with("3 0 1 2", "3 0 1 3")),
                          "face 0 (line 13): names vertex 3, but the file has only 3"));
@@ -131,10 +154,10 @@ TEST_CASE("PLY: a point cloud and what has nothing to draw are refused with what
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
       "property float z\nend_header\n0 0 0\n";
   CHECK(message_mentions(error_of_ply(cloud), "a point cloud"));
-  CHECK(message_mentions(error_of_ply(with("element face 1", "element tristrips 1")),
-                         "triangle strips"));
+  CHECK(message_mentions(error_of_ply(with("element face 1", "element tristrips 0")),
+                         "a point cloud"));
   CHECK(message_mentions(error_of_ply(with("3 0 1 2", "2 0 1")),
-                         "no face has three corners or more"));
+                         "no face or strip has three corners or more"));
   CHECK(message_mentions(error_of_ply(with("property float z", "property float w")),
                          "no numbers x, y and z"));
 }
