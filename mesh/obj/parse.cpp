@@ -104,16 +104,15 @@ private:
     std::array<Number, 7> numbers;
     std::size_t count = 0;
     bool readable = true;
+    std::string_view not_finite;
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
       if (count == numbers.size()) {
         more_numbers_.add(lines_.number());
         break;
       }
       numbers[count] = parse_number(word);
-      if (count < 3 && numbers[count].kind == Number::Kind::kNotFinite) {
-        return refuse("vertex " + std::to_string(positions_.size + 1) + " has the coordinate " +
-                          in_quotes(word) + ", which is not a finite number",
-                      "export the file again or correct the line");
+      if (count < 3 && not_finite.empty() && numbers[count].kind == Number::Kind::kNotFinite) {
+        not_finite = word;
       }
       readable = readable && (count >= 3 || numbers[count].kind == Number::Kind::kFinite);
       ++count;
@@ -122,7 +121,9 @@ private:
       return refuse("the file has more than 2^32 - 1 vertices", "split the file");
     }
     if (count < 3 || !readable) {
-      tables_.unreadable.push_back({std::uint32_t(positions_.size), lines_.number()});
+      constexpr std::size_t kMaxLength = 40;
+      tables_.unreadable.push_back({std::uint32_t(positions_.size), lines_.number(),
+                                    std::string(not_finite.substr(0, kMaxLength))});
       tables_.positions.emplace_back(kNaN, kNaN, kNaN);
     } else {
       tables_.positions.emplace_back(numbers[0].value, numbers[1].value, numbers[2].value);
@@ -307,13 +308,17 @@ private:
       const auto vertex =
           std::lower_bound(tables_.unreadable.begin(), tables_.unreadable.end(), corner.position,
                            [](const UnreadableVertex& v, std::uint32_t i) { return v.index < i; });
+      const std::string name = "vertex " + std::to_string(vertex->index + 1);
       return fail(line_place(vertex->line),
-                  "vertex " + std::to_string(vertex->index + 1) + " does not have three numbers",
+                  vertex->not_finite.empty()
+                      ? name + " does not have three numbers"
+                      : name + " has the coordinate " + in_quotes(vertex->not_finite) +
+                            ", which is not a finite number",
                   "export the file again or correct the line");
     }
     OccurrenceCount unreadable;
     for (const UnreadableVertex& vertex : tables_.unreadable) unreadable.add(vertex.line);
-    unreadable.report("unused vertices do not have three numbers", warnings_);
+    unreadable.report("unused vertices do not have three finite numbers", warnings_);
     return {};
   }
 

@@ -61,10 +61,11 @@ struct VertexColor {
   bool given = false;
 };
 
-// A vertex whose coordinates are not numbers is an error only if something is drawn with it.
+// A vertex whose coordinates are not finite numbers is an error only if something is drawn with it.
 struct UnreadableVertex {
   std::uint32_t index = 0;
   std::uint64_t line = 0;
+  std::string not_finite;  // "nan" or "1e99": the first coordinate that is a number, but not finite
 };
 
 struct Tables {

@@ -230,8 +230,8 @@ TEST_CASE("OBJ: what can be done without is left out with a warning") {
   CHECK(warns_of(load(kSquare + "cstype bezier\nend\nf 1 2 3\n"), "2 statements of free-form"));
   CHECK(warns_of(load(kSquare + "xyzzy 1\nf 1 2 3\n"), "'xyzzy'"));
   CHECK(warns_of(load(kSquare + "f 1 2 3\n"), "1 of 4 vertices are not used"));
-  CHECK(warns_of(load(kSquare + "v 3.1+e2 0 0\nv 1\nf 1 2 3 4\n"),
-                 "2 unused vertices do not have three numbers (first in line 5)"));
+  CHECK(warns_of(load(kSquare + "v 3.1+e2 0 0\nv 1\nv 0 nan 0\nv 0 0 -inf\nf 1 2 3 4\n"),
+                 "4 unused vertices do not have three finite numbers (first in line 5)"));
   CHECK(load(kSquare + "s 1\ns off\nf 1 2 3 4\n").warnings.empty());
 }
 
