@@ -102,6 +102,9 @@ struct Camera {
   std::string name;
   Lens lens;
   Transform<World, Eye> world_from_eye;  // rigid
+  // Why the camera of a file cannot be used; empty if it can. Otherwise its lens and its pose mean
+  // nothing. It keeps its place in the list, so that the others keep their numbers.
+  std::string fault = {};
 };
 
 // ---- lights (KHR_lights_punctual) ----

@@ -196,7 +196,11 @@ Json scene_json(const Scene& scene, const std::vector<MeshReport>& reports) {
   }
   json["cameras"] = Json::array();
   for (const Camera& camera : scene.cameras) {
-    json["cameras"].push_back({{"name", camera.name}, {"lens", lens_name(camera.lens)}});
+    if (camera.fault.empty()) {
+      json["cameras"].push_back({{"name", camera.name}, {"lens", lens_name(camera.lens)}});
+    } else {
+      json["cameras"].push_back({{"name", camera.name}, {"fault", camera.fault}});
+    }
   }
   json["lights"] = scene.lights.size();
   json["extensions"] = scene.extensions;
@@ -234,8 +238,9 @@ void print_scene(const Scene& scene, const std::vector<MeshReport>& reports) {
     fmt::print("  image {}: {} x {}\n", i, scene.images[i].width, scene.images[i].height);
   }
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-    fmt::print("  camera {} '{}': {}\n", i, printable(scene.cameras[i].name),
-               lens_name(scene.cameras[i].lens));
+    const Camera& camera = scene.cameras[i];
+    fmt::print("  camera {} '{}': {}\n", i, printable(camera.name),
+               camera.fault.empty() ? lens_name(camera.lens) : "cannot be used");
   }
   if (!scene.lights.empty()) fmt::print("  {}\n", counted(scene.lights.size(), "light"));
   if (!scene.extensions.empty())

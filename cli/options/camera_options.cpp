@@ -1,5 +1,6 @@
 #include "cli/options/camera_options.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/matrix.hpp>
@@ -66,7 +67,8 @@ Point<World, double> world_point(const std::array<double, 3>& p) {
 
 // ---- which camera ----
 
-Result<Camera> named_camera(const Scene& scene, const std::string& name) {
+// The camera of this name or index, which may be one that cannot be used.
+Result<Camera> find_camera(const Scene& scene, const std::string& name) {
   for (const Camera& camera : scene.cameras) {
     if (camera.name == name) return camera;
   }
@@ -82,6 +84,22 @@ Result<Camera> named_camera(const Scene& scene, const std::string& name) {
     known += fmt::format("{}{} '{}'", i == 0 ? "" : ", ", i, scene.cameras[i].name);
   }
   return fail("--camera " + name, "no camera has this name or index", "the scene has " + known);
+}
+
+Result<Camera> named_camera(const Scene& scene, const std::string& name) {
+  Result<Camera> camera = find_camera(scene, name);
+  if (camera && !camera->fault.empty()) {
+    return fail("--camera " + name, "this camera cannot be used: " + camera->fault,
+                "choose another camera, or correct this one in the file");
+  }
+  return camera;
+}
+
+// The first camera that can be used; none if the scene has no such camera.
+const Camera* first_camera(const Scene& scene) {
+  const auto first =
+      std::ranges::find_if(scene.cameras, [](const Camera& c) { return c.fault.empty(); });
+  return first == scene.cameras.end() ? nullptr : &*first;
 }
 
 // Options for the automatic camera, with the up vector and the angle of view from the command line.
@@ -271,8 +289,8 @@ Result<Camera> choose_camera(const Scene& scene, const CameraOptions& options, d
     camera = named_camera(scene, *options.camera);
   } else if (!is_framed(options)) {
     camera = posed_camera(options, *automatic, box);
-  } else if (!options.up && !no_camera && !scene.cameras.empty()) {
-    camera = scene.cameras.front();
+  } else if (const Camera* first = first_camera(scene); first && !options.up && !no_camera) {
+    camera = *first;
   }
   if (!camera) return camera;
 

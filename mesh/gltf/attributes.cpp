@@ -95,14 +95,23 @@ Result<std::optional<Attribute>> Attributes::read(const std::string& name,
   auto numbers = read_numbers(asset_, index);
   if (!numbers) return fail_inside(place, numbers.error());
   Attribute attribute{index, components(accessor), std::move(*numbers)};
+  std::uint64_t unused = 0;
   for (std::size_t i = 0; i < attribute.numbers.size(); ++i) {
-    if (!std::isfinite(attribute.numbers[i])) {
+    if (std::isfinite(attribute.numbers[i])) continue;
+    if (!used_.empty() && !used_[i / attribute.width]) {
+      attribute.numbers[i] = 0;
+      ++unused;
+    } else {
       return fail(place + ", " + entry("accessor", index) + ", element " +
                       std::to_string(i / attribute.width),
                   std::string("is ") +
                       (std::isnan(attribute.numbers[i]) ? "not a number (NaN)" : "infinite"),
                   "repair the vertex and export the file again");
     }
+  }
+  if (unused > 0) {
+    asset_.warn_at(place_, "{} numbers of unused vertices are not finite and were taken as 0",
+                   unused);
   }
   return attribute;
 }

@@ -35,22 +35,29 @@ struct Attribute {
 class Attributes {
 public:
   // `place` ("mesh 2, primitive 0") is the beginning of the place in every error. `count` is the
-  // number of vertices that every attribute must have.
-  Attributes(const Asset& asset, const std::map<std::string, int>& accessors, std::string place,
-             std::size_t count)
-      : asset_(asset), accessors_(accessors), place_(std::move(place)), count_(count) {}
+  // number of vertices that every attribute must have. `used` says which of them something is drawn
+  // with; an empty list says that all are.
+  Attributes(Asset& asset, const std::map<std::string, int>& accessors, std::string place,
+             std::size_t count, const std::vector<bool>& used)
+      : asset_(asset),
+        accessors_(accessors),
+        place_(std::move(place)),
+        count_(count),
+        used_(used) {}
 
   bool has(const std::string& name) const { return accessors_.contains(name); }
 
   // Checks type, component type and count, reads the numbers, and refuses numbers that are not
-  // finite, naming the vertex. Returns nothing where the primitive has no such attribute.
+  // finite, naming the vertex. In a vertex that is not used they become 0, with a warning. Returns
+  // nothing where the primitive has no such attribute.
   Result<std::optional<Attribute>> read(const std::string& name, Semantic semantic) const;
 
 private:
-  const Asset& asset_;
+  Asset& asset_;
   const std::map<std::string, int>& accessors_;
   std::string place_;
   std::size_t count_;
+  const std::vector<bool>& used_;
 };
 
 // An error where glTF does not allow the accessor's type for this use (with KHR_mesh_quantization

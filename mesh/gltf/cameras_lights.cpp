@@ -1,8 +1,10 @@
 #include <glassbox/mesh/gltf/cameras_lights.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glassbox/base/trig.h>
 #include <glassbox/mesh/gltf/text.h>
@@ -39,6 +41,30 @@ bool is_rigid(const Transform<World, Object>& m) {
   return is_unit(x) && is_unit(y) && is_unit(z) && std::abs(dot(x, y)) <= kRigidTolerance &&
          std::abs(dot(y, z)) <= kRigidTolerance && std::abs(dot(z, x)) <= kRigidTolerance &&
          dot(cross(x, y), z) > 0;
+}
+
+// The matrices that nodes would have as cameras, by the index in Scene::nodes. A camera ignores the
+// scale of its node and of those above (glTF 2.0, section 3.10.2). Positive scales do not turn the
+// axes of the product of all matrices. If a scale is negative or zero, the axes are those of the
+// same nodes without scale.
+std::vector<Transform<World, Object>> camera_matrices(const Asset& asset, const NodeTree& tree,
+                                                      const Scene& scene) {
+  std::vector<Transform<World, Object>> unscaled(tree.drawn.size()), matrices;
+  std::vector<bool> turned(tree.drawn.size(), false);
+  for (std::size_t i = 0; i < tree.drawn.size(); ++i) {
+    const tinygltf::Node& node = asset.model.nodes[tree.drawn[i]];
+    const Transform<World, Object>& placed = tree.world_from_node[tree.drawn[i]];
+    const std::uint32_t parent = scene.nodes[i].parent;
+    unscaled[i] = without_scale(node);
+    turned[i] = !std::ranges::all_of(node.scale, [](double s) { return s > 0; });
+    if (parent != kNone) {
+      unscaled[i] = compose(unscaled[parent], unscaled[i]);
+      turned[i] = turned[i] || turned[parent];
+    }
+    matrices.push_back(turned[i] ? unscaled[i] : placed);
+    for (int row = 0; row < 3; ++row) matrices[i].at(row, 3) = placed.at(row, 3);
+  }
+  return matrices;
 }
 
 // Makes the node's transform rigid: the direction of view (-z) is kept, and up becomes the part of
@@ -110,19 +136,26 @@ std::string name_of(const std::string& own, const std::string& node, const char*
   return node.empty() ? entry(kind, number) : printable(node);
 }
 
-Result<void> place_camera(const Asset& asset, const NodeTree& tree, std::uint32_t node,
-                          Scene& scene) {
+// A camera that cannot be used is no reason to refuse the file, which may be drawn by another one.
+void place_camera(Asset& asset, const Transform<World, Object>& matrix, std::uint32_t node,
+                  Scene& scene) {
   const std::size_t index = std::size_t(asset.model.nodes[node].camera);
   const tinygltf::Camera& described = asset.model.cameras[index];
   const auto lens =
       described.type == "perspective" ? perspective(asset, index) : orthographic(asset, index);
-  if (!lens) return tl::unexpected(lens.error());
-  const auto pose = rigid_pose(tree.world_from_node[node], node);
-  if (!pose) return tl::unexpected(pose.error());
-  scene.cameras.push_back(
-      {name_of(described.name, asset.model.nodes[node].name, "camera", scene.cameras.size()), *lens,
-       *pose});
-  return {};
+  const auto pose = rigid_pose(matrix, node);
+  Camera camera;
+  camera.name =
+      name_of(described.name, asset.model.nodes[node].name, "camera", scene.cameras.size());
+  if (lens && pose) {
+    camera.lens = *lens;
+    camera.world_from_eye = *pose;
+  } else {
+    const Error& error = lens ? pose.error() : lens.error();
+    camera.fault = error.place + ": " + error.cause;
+    asset.warn("the camera " + in_quotes(camera.name) + " cannot be used: " + camera.fault);
+  }
+  scene.cameras.push_back(std::move(camera));
 }
 
 Result<void> place_light(const Asset& asset, const NodeTree& tree, std::uint32_t node,
@@ -164,10 +197,12 @@ Result<void> place_light(const Asset& asset, const NodeTree& tree, std::uint32_t
 
 }  // namespace
 
-Result<void> place_cameras_and_lights(const Asset& asset, const NodeTree& tree, Scene& scene) {
+Result<void> place_cameras_and_lights(Asset& asset, const NodeTree& tree, Scene& scene) {
+  const auto matrices = asset.model.cameras.empty() ? std::vector<Transform<World, Object>>()
+                                                    : camera_matrices(asset, tree, scene);
   for (const std::uint32_t node : tree.drawn) {
     if (asset.model.nodes[node].camera >= 0) {
-      if (auto done = place_camera(asset, tree, node, scene); !done) return done;
+      place_camera(asset, matrices[tree.scene_index[node]], node, scene);
     }
     if (const auto* light =
             find(asset.document["nodes"][node], {"extensions", "KHR_lights_punctual", "light"})) {

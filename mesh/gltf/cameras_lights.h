@@ -10,7 +10,8 @@ namespace glassbox::gltf {
 
 // Adds one Camera and one Light for each node of the drawn scene that has one, in the order of the
 // nodes. A camera's node may be scaled or sheared; the camera's pose is the rigid one with the same
-// position, the same gaze and the same plane through gaze and up.
-Result<void> place_cameras_and_lights(const Asset& asset, const NodeTree& tree, Scene& scene);
+// position, the same gaze and the same plane through gaze and up. Where a scale is negative or zero
+// it is ignored. A camera that cannot be used has a fault (mesh/scene.h), and is a warning.
+Result<void> place_cameras_and_lights(Asset& asset, const NodeTree& tree, Scene& scene);
 
 }  // namespace glassbox::gltf

@@ -167,7 +167,7 @@ Result<Scene> build_scene(Asset& asset) {
   if (auto done = place_cameras_and_lights(asset, *tree, scene); !done)
     return tl::unexpected(done.error());
   scene.extensions = asset.extensions;
-  warn_about_missing_features(asset, *tree, *materials);
+  warn_about_missing_features(asset, *tree, *materials, scene);
   scene.warnings = asset.all_warnings();
   return scene;
 }

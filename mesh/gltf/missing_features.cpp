@@ -162,9 +162,9 @@ void warn_about_unused_entries(Asset& asset, const NodeTree& tree) {
 }
 
 // A picture shows the first camera if no other one is requested.
-void warn_about_cameras(Asset& asset, const NodeTree& tree) {
-  const auto cameras = std::ranges::count_if(
-      tree.drawn, [&](std::uint32_t node) { return asset.model.nodes[node].camera >= 0; });
+void warn_about_cameras(Asset& asset, const Scene& scene) {
+  const auto cameras =
+      std::ranges::count_if(scene.cameras, [](const Camera& c) { return c.fault.empty(); });
   if (cameras > 1) {
     asset.warn(std::to_string(cameras) +
                " cameras: the first one is used, unless another one is chosen");
@@ -173,11 +173,12 @@ void warn_about_cameras(Asset& asset, const NodeTree& tree) {
 
 }  // namespace
 
-void warn_about_missing_features(Asset& asset, const NodeTree& tree, const Materials& materials) {
+void warn_about_missing_features(Asset& asset, const NodeTree& tree, const Materials& materials,
+                                 const Scene& scene) {
   warn_about_textures(asset, used_materials(asset, tree));
   warn_about_attributes(asset, tree, materials);
   warn_about_animations_and_skins(asset, tree);
-  warn_about_cameras(asset, tree);
+  warn_about_cameras(asset, scene);
   warn_about_unused_entries(asset, tree);
 }
 

@@ -12,6 +12,7 @@ namespace glassbox::gltf {
 // drawn in the pose of their nodes), vertex attributes that are not read, cameras after the first,
 // and things outside the scene that is drawn. Unsupported extensions have been reported by
 // open_asset(), and single things that cannot be drawn have been reported where they were found.
-void warn_about_missing_features(Asset& asset, const NodeTree& tree, const Materials& materials);
+void warn_about_missing_features(Asset& asset, const NodeTree& tree, const Materials& materials,
+                                 const Scene& scene);
 
 }  // namespace glassbox::gltf

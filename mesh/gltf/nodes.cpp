@@ -30,9 +30,11 @@ Result<Matrix> from_matrix(const std::vector<double>& numbers, std::size_t index
   return matrix;
 }
 
-// The matrix translation * rotation * scale of a node. The quaternion q should have length 1; the
-// factor 2/|q|^2 makes a rotation from any other quaternion, too, without a square root.
-Result<Matrix> from_trs(const tinygltf::Node& node, std::size_t index) {
+// The matrix translation * rotation * scale of a node, with this scale. The quaternion q should have
+// length 1; the factor 2/|q|^2 makes a rotation from any other quaternion, too, without a square
+// root.
+Result<Matrix> from_trs(const tinygltf::Node& node, const std::vector<double>& scale,
+                        std::size_t index) {
   const auto get = [](const std::vector<double>& v, std::size_t i, double otherwise) {
     return v.empty() ? otherwise : v[i];
   };
@@ -51,7 +53,7 @@ Result<Matrix> from_trs(const tinygltf::Node& node, std::size_t index) {
   Matrix matrix;
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      matrix.at(row, column) = rotation[row][column] * get(node.scale, std::size_t(column), 1);
+      matrix.at(row, column) = rotation[row][column] * get(scale, std::size_t(column), 1);
     }
     matrix.at(row, 3) = get(node.translation, std::size_t(row), 0);
   }
@@ -131,6 +133,11 @@ Result<std::vector<std::uint32_t>> scene_roots(const Asset& asset,
 
 }  // namespace
 
+Transform<World, Object> without_scale(const tinygltf::Node& node) {
+  // The matrix and the quaternion of a node that has been placed are known to be good.
+  return node.matrix.empty() ? *from_trs(node, {}, 0) : *from_matrix(node.matrix, 0);
+}
+
 Result<NodeTree> place_nodes(const Asset& asset, Scene& scene) {
   const auto& nodes = asset.model.nodes;
   const auto parents = find_parents(asset);
@@ -154,7 +161,7 @@ Result<NodeTree> place_nodes(const Asset& asset, Scene& scene) {
           "is nested deeper than " + std::to_string(asset.limits.max_node_depth) + " levels",
           "use fewer levels of nodes (in the library: LoadLimits::max_node_depth)");
     }
-    const auto matrix = nodes[node].matrix.empty() ? from_trs(nodes[node], node)
+    const auto matrix = nodes[node].matrix.empty() ? from_trs(nodes[node], nodes[node].scale, node)
                                                    : from_matrix(nodes[node].matrix, node);
     if (!matrix) return tl::unexpected(matrix.error());
     own[node] = *matrix;

@@ -26,6 +26,10 @@ inline Transform<World, Object> compose(const Transform<World, Object>& world_fr
   return Transform<World, World>(world_from_node.columns) * node_from_child;
 }
 
+// The matrix of a node that place_nodes() has accepted, as if it had no scale. A node that is given
+// by a matrix keeps it: a matrix does not say which part of it is scale.
+Transform<World, Object> without_scale(const tinygltf::Node& node);
+
 // Checks the hierarchy (one parent each, no cycles, limited depth, finite matrices) and adds the
 // nodes of the default scene to scene.nodes.
 Result<NodeTree> place_nodes(const Asset& asset, Scene& scene);

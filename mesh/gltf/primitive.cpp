@@ -52,7 +52,8 @@ bool is_compressed(const Asset& asset, PrimitiveId id) {
 // float.
 Result<Vertices> read_vertices(Asset& asset, const tinygltf::Primitive& primitive,
                                const Attributes& attributes, const std::string& place,
-                               std::size_t count, const Pose& pose, Budget& budget) {
+                               std::size_t count, const std::vector<bool>& used, const Pose& pose,
+                               Budget& budget) {
   auto positions = attributes.read("POSITION", Semantic::kPosition);
   if (!positions) return tl::unexpected(positions.error());
   auto normals = attributes.read("NORMAL", Semantic::kNormal);
@@ -70,7 +71,7 @@ Result<Vertices> read_vertices(Asset& asset, const tinygltf::Primitive& primitiv
                   "apply the morph targets to the mesh and export it without them");
     }
     const Attributes deltas(asset, primitive.targets[i], place + ", target " + std::to_string(i),
-                            count);
+                            count, used);
     const auto moved = deltas.read("POSITION", Semantic::kPositionDelta);
     if (!moved) return tl::unexpected(moved.error());
     if (*moved) add_target(vertices.positions, (*moved)->numbers, pose.weights[i]);
@@ -222,6 +223,15 @@ Result<std::vector<std::uint32_t>> vertex_order(const Asset& asset,
   return *read;
 }
 
+// Which vertices the indices name; an empty list if there are no indices, and all are used.
+std::vector<bool> used_vertices(const tinygltf::Primitive& primitive,
+                                const std::vector<std::uint32_t>& order, std::size_t count) {
+  if (primitive.indices < 0) return {};
+  std::vector<bool> used(count, false);
+  for (const std::uint32_t vertex : order) used[vertex] = true;
+  return used;
+}
+
 // Connects vertices to triangles, lines or points (glTF 2.0, section 3.7.2.1). corner(i) returns
 // the corner of the i-th of the `n` vertices in drawing order.
 template <class CornerOf>
@@ -318,8 +328,11 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
                     " bytes",
                 "let several nodes draw one mesh instead of several meshes use one accessor");
   }
-  const Attributes attributes(asset, primitive.attributes, place, count);
-  auto vertices = read_vertices(asset, primitive, attributes, place, count, pose, budget);
+  const auto order = vertex_order(asset, primitive, place, count);
+  if (!order) return tl::unexpected(order.error());
+  const std::vector<bool> used = used_vertices(primitive, *order, count);
+  const Attributes attributes(asset, primitive.attributes, place, count, used);
+  auto vertices = read_vertices(asset, primitive, attributes, place, count, used, pose, budget);
   if (!vertices) return tl::unexpected(vertices.error());
 
   Mesh mesh;
@@ -332,8 +345,6 @@ Result<std::optional<Mesh>> convert_primitive(Asset& asset, PrimitiveId id, cons
     return tl::unexpected(done.error());
   if (auto done = set_colors(mesh, attributes); !done) return tl::unexpected(done.error());
 
-  const auto order = vertex_order(asset, primitive, place, count);
-  if (!order) return tl::unexpected(order.error());
   const auto corner = [&](std::size_t i) {
     const std::uint32_t vertex = (*order)[i];
     return Corner{vertex, !has_normal.empty() && has_normal[vertex] ? vertex : kNone,

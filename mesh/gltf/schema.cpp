@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/utf8.h>
 #include <glassbox/mesh/gltf/schema_tables.h>
 #include <glassbox/mesh/gltf/text.h>
+#include <glassbox/mesh/input/text.h>
 
 namespace glassbox::gltf {
 namespace {
@@ -234,9 +237,28 @@ void count_extensions(const json& value, std::map<std::string, std::uint64_t>& c
   }
 }
 
+// The two numbers of "2.0".
+std::optional<std::pair<std::int64_t, std::int64_t>> version_numbers(std::string_view text) {
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const auto major = obj::parse_integer(text.substr(0, point));
+  const auto minor = obj::parse_integer(text.substr(std::min(point + 1, text.size())));
+  if (!major || !minor) return std::nullopt;
+  return std::pair(*major, *minor);
+}
+
 Result<void> check_version(const json& asset) {
   // A file of a minor version such as 2.1 can be read as 2.0 by definition, unless it requires a
-  // newer minor version itself.
+  // newer version itself (glTF 2.0, section 3.2).
+  const std::string needed = asset.value("minVersion", "2.0");
+  const auto numbers = version_numbers(needed);
+  if (!numbers) {
+    return fail("asset.minVersion", "is " + in_quotes(needed) + ", which is not a version",
+                "write two numbers with a point between them, such as 2.0");
+  }
+  if (*numbers > std::pair<std::int64_t, std::int64_t>(2, 0)) {
+    return fail("asset.minVersion", "is " + in_quotes(needed) + ", but files are read as glTF 2.0",
+                "export the file as glTF 2.0");
+  }
   const std::string version = asset["version"];
   if (!version.starts_with("2.")) {
     return fail("asset.version", "is " + in_quotes(version),

@@ -308,12 +308,14 @@ private:
   Result<void> write_cameras() {
     for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
       const Camera& camera = scene_.cameras[i];
+      if (!camera.fault.empty()) continue;
       auto described = gltf::describe(camera);
       if (!described) {
         return fail(entry("camera", i) + " " + in_quotes(camera.name), described.error().cause,
                     described.error().remedy);
       }
-      node(add_root(camera.name, camera.world_from_eye.columns))["camera"] = i;
+      const std::size_t number = document_["cameras"].size();
+      node(add_root(camera.name, camera.world_from_eye.columns))["camera"] = number;
       document_["cameras"].push_back(std::move(*described));
     }
     return {};

@@ -8,6 +8,7 @@
 #include <span>
 #include <system_error>
 
+#include <glassbox/base/ascii_case.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::gltf {
@@ -63,19 +64,33 @@ bool has_scheme(std::string_view uri) {
   return false;
 }
 
+// A data URI (RFC 2397): the scheme, a media type with its parameters, a comma, the data. Scheme and
+// "base64" may be in any case, and any character may be a per cent code (RFC 3986).
+constexpr std::string_view kDataScheme = "data:";
+
+bool is_data_uri(std::string_view uri) {
+  return equal_ignoring_case(uri.substr(0, kDataScheme.size()), kDataScheme);
+}
+
 Result<Bytes> decode_data_uri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
-  constexpr std::string_view kBase64 = ";base64";
   if (comma == std::string_view::npos) {
     return fail("", "the data URI has no comma before its data",
                 "write data:application/octet-stream;base64,...");
   }
-  if (uri.substr(0, comma).ends_with(kBase64)) return decode_base64(uri.substr(comma + 1));
-  const std::optional<std::string> text = percent_decoded(uri.substr(comma + 1));
+  const std::string_view header = uri.substr(0, comma), data = uri.substr(comma + 1);
+  constexpr std::string_view kBase64 = ";base64";
+  const bool in_base64 =
+      header.size() >= kBase64.size() &&
+      equal_ignoring_case(header.substr(header.size() - kBase64.size()), kBase64);
+  // Nearly all data URIs are long and without per cent codes: these are not copied.
+  if (in_base64 && data.find('%') == std::string_view::npos) return decode_base64(data);
+  const std::optional<std::string> text = percent_decoded(data);
   if (!text) {
     return fail("", "the data URI has a per cent sign without two hexadecimal digits after it",
                 "encode the data in base64");
   }
+  if (in_base64) return decode_base64(*text);
   const auto bytes = std::as_bytes(std::span(*text));
   return Bytes(bytes.begin(), bytes.end());
 }
@@ -138,7 +153,7 @@ Result<Bytes> decode_base64(std::string_view text) {
 }
 
 Result<std::shared_ptr<const Bytes>> Resources::read(std::string_view uri) {
-  if (uri.starts_with("data:")) {
+  if (is_data_uri(uri)) {
     auto bytes = decode_data_uri(uri);
     if (!bytes) return tl::unexpected(bytes.error());
     total_bytes_ += bytes->size();

@@ -67,6 +67,27 @@ TEST_CASE("a camera is chosen by name or index; the first one is the default") {
         above);
 }
 
+TEST_CASE("a camera that cannot be used is an error only where it is chosen") {
+  const WorkingDirectory here;
+  write_two_scenes(here);
+  const std::string above = picture_by_camera(here, "--camera above");
+  const std::string automatic = picture_by_camera(here, "--camera none");
+  std::string text = kTwoScenes;
+  const std::string good = "\"yfov\": 1,";
+  text.replace(text.find(good), good.size(), "\"yfov\": 4,");
+  here.write("two.gltf", text);
+  CHECK(picture_by_camera(here, "--camera none") == automatic);
+  CHECK(picture_by_camera(here, "--camera 1") == above);
+  CHECK(picture_by_camera(here, "") == above);  // the first that can be used
+  for (const char* chosen : {"--camera front", "--camera 0"}) {
+    check_refused(here.run(std::string("render two.gltf --size 8x8 ") + chosen),
+                  {chosen, "this camera cannot be used: camera 0: its field of view"});
+  }
+  const Outcome info = here.run("info two.gltf");
+  CHECK(contains(info.out, "camera 0 'front': cannot be used"));
+  CHECK(contains(info.out, "the camera 'front' cannot be used: camera 0: its field of view"));
+}
+
 TEST_CASE("only the default scene of a file is drawn") {
   const WorkingDirectory here;
   write_two_scenes(here);
