@@ -80,6 +80,25 @@ private:
   std::vector<std::size_t> starts_;
 };
 
+std::uint32_t count_quads_in_z_order(const Mesh& mesh, const Triangulation& triangulation) {
+  Mesh exchanged;
+  for (const auto* faces : {&triangulation.degenerate_faces, &triangulation.fallback_faces}) {
+    for (const std::uint32_t index : *faces) {
+      const Face& face = mesh.faces[index];
+      if (face.count != 4) continue;
+      const auto first = std::uint32_t(exchanged.positions.size());
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        exchanged.positions.push_back(mesh.positions[mesh.corners[face.first + i].position]);
+      }
+      exchanged.faces.push_back({first, 4});
+      for (const std::uint32_t i : {0u, 1u, 3u, 2u}) exchanged.corners.push_back({first + i});
+    }
+  }
+  const Triangulation proper = triangulate(exchanged);
+  return std::uint32_t(exchanged.faces.size() - proper.degenerate_faces.size() -
+                       proper.fallback_faces.size());
+}
+
 }  // namespace
 
 MeshReport mesh_report(const Mesh& mesh) {
@@ -109,6 +128,7 @@ MeshReport mesh_report(const Mesh& mesh) {
   report.degenerate_faces = std::uint32_t(triangulation.degenerate_faces.size());
   report.degenerate_triangles = triangulation.degenerate_triangles;
   report.self_intersecting_faces = std::uint32_t(triangulation.fallback_faces.size());
+  report.quads_in_z_order = count_quads_in_z_order(mesh, triangulation);
   report.duplicate_faces = FaceRings(mesh, topology.vertex_of_position).count_duplicates();
   check_planarity(mesh, report);
   return report;

@@ -36,6 +36,9 @@ struct MeshReport {
   // Triangles without area, which were dropped from faces that are kept.
   std::uint32_t degenerate_triangles = 0;
   std::uint32_t self_intersecting_faces = 0;
+  // Quads among the faces without area and those that cross themselves that are proper quads if
+  // their last two corners are exchanged: they were listed row by row, as in the letter Z.
+  std::uint32_t quads_in_z_order = 0;
   // Faces with the same vertices as an earlier face, in the same or the opposite direction.
   std::uint32_t duplicate_faces = 0;
   std::uint32_t non_planar_faces = 0;

@@ -94,6 +94,10 @@ std::vector<std::string> findings(const MeshReport& report) {
   count(report.degenerate_faces, "face without area", "faces without area");
   count(report.degenerate_triangles, "triangle without area", "triangles without area");
   count(report.self_intersecting_faces, "face that crosses itself", "faces that cross themselves");
+  if (report.quads_in_z_order > 0) {
+    found.push_back(counted(report.quads_in_z_order, "quad") +
+                    " in Z order (proper if the last two corners are exchanged)");
+  }
   count(report.duplicate_faces, "duplicate face", "duplicate faces");
   if (report.non_planar_faces > 0) {
     found.push_back(
@@ -139,6 +143,7 @@ Json mesh_json(const Mesh& mesh, const MeshReport& report) {
   json["degenerate_faces"] = report.degenerate_faces;
   json["degenerate_triangles"] = report.degenerate_triangles;
   json["self_intersecting_faces"] = report.self_intersecting_faces;
+  json["quads_in_z_order"] = report.quads_in_z_order;
   json["duplicate_faces"] = report.duplicate_faces;
   json["non_planar_faces"] = report.non_planar_faces;
   json["worst_planarity_deviation"] = report.worst_planarity_deviation;

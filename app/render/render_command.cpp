@@ -39,6 +39,7 @@
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/write.h>
+#include <glassbox/mesh/check.h>
 #include <glassbox/mesh/limits.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/framebuffer.h>
@@ -149,8 +150,30 @@ Statistics times_of_all(const DrawnPicture& drawn) {
   return sum;
 }
 
+// What is wrong with a scene of which nothing can be drawn, because all its faces lack area; empty
+// if there is something to draw.
+std::string why_nothing_can_be_drawn(const Scene& scene) {
+  std::uint64_t faces = 0, in_z_order = 0;
+  for (const Mesh& mesh : scene.meshes) {
+    const MeshReport report = mesh_report(mesh);
+    if (report.triangles + report.lines + report.points > 0) return "";
+    faces += report.faces;
+    in_z_order += report.quads_in_z_order;
+  }
+  std::string why = fmt::format("nothing is drawn, because {} of the scene {} no area",
+                                faces == 1 ? "the only face" : fmt::format("all {} faces", faces),
+                                faces == 1 ? "has" : "have");
+  if (in_z_order > 0) {
+    why += fmt::format("; {} listed in Z order: exchange the last two corners",
+                       in_z_order == 1 ? "one is a quad" : fmt::format("{} are quads", in_z_order));
+  }
+  return why;
+}
+
 // The explanation for a picture that shows only the background.
-const char* why_empty(Renderer& renderer, const View& view, RenderSettings settings) {
+std::string why_empty(const Scene& scene, Renderer& renderer, const View& view,
+                      RenderSettings settings) {
+  if (const std::string why = why_nothing_can_be_drawn(scene); !why.empty()) return why;
   settings.cull = Cull::kNone;
   if (renderer.render(view, settings).statistics.covered > 0) {
     return "every face in view is turned away from the camera; --cull none shows faces from behind "
@@ -384,7 +407,8 @@ int RenderCommand::run() {
   }
   progress.done();
   if (nothing_drawn(*drawn)) {
-    fmt::print(stderr, "glassbox: note: {}\n", why_empty(renderer, drawn->view, picture_.settings));
+    fmt::print(stderr, "glassbox: note: {}\n",
+               why_empty(*scene, renderer, drawn->view, picture_.settings));
   }
   const RunTimes times{load_ms, elapsed_ms(start)};
   if (report_output_) {

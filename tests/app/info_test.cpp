@@ -73,7 +73,10 @@ TEST_CASE("what is wrong with a mesh is found, counted and said") {
        "1 duplicate face"},
       {"an outline that crosses itself",
        "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 -1 0\nv 0 3 0\nf 1 2 3 4 5\n", "self_intersecting_faces", 1,
-       "1 face that crosses itself"}};
+       "1 face that crosses itself"},
+      {"a quad whose corners are listed row by row",
+       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3 4\nf 1 2 4 3\n", "quads_in_z_order", 1,
+       "1 quad in Z order (proper if the last two corners are exchanged)"}};
   for (const Case& c : cases) {
     const WorkingDirectory here;
     here.write("m.obj", c.obj);

@@ -227,6 +227,22 @@ TEST_CASE("a picture in which nothing is seen is written, with a note") {
   CHECK(read_picture(here, "cube.png") == Image<Rgba8>(8, 8, Rgba8{26, 31, 38, 255}));
 }
 
+TEST_CASE("a scene whose faces all lack area says so, and names quads in Z order") {
+  const WorkingDirectory here;
+  const std::string grid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 2 0\nv 1 2 0\n";
+  const auto note = [&](const std::string& faces) {
+    here.write("a.obj", grid + faces);
+    const Outcome outcome = here.run("render a.obj --size 8x8");
+    CHECK(outcome.exit_code == 0);
+    return outcome.err;
+  };
+  CHECK(contains(note("f 1 2 3 4\nf 3 4 5 6\nf 1 3 5\n"),
+                 "note: nothing is drawn, because all 3 faces of the scene have no area; 2 are "
+                 "quads listed in Z order: exchange the last two corners"));
+  CHECK(note("f 1 3 5\n").ends_with("because the only face of the scene has no area\n"));
+  CHECK(note("f 1 2 3\nf 1 3 5\n").empty());
+}
+
 TEST_CASE("a picture of backs only says how to see them") {
   const WorkingDirectory here;
   here.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

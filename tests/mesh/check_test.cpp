@@ -87,6 +87,24 @@ TEST_CASE("each fault that is planted in a cube is reported, and only it") {
   }
 }
 
+TEST_CASE("quads in Z order are told from other faces that are not drawn") {
+  // The corners of a square row by row, and those of a quad without equal sides.
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {3, 3, 0}, {2, 0, 0}};
+  const auto in_z_order = [&](const Indices& face) {
+    return mesh_report(make_mesh(points, {face})).quads_in_z_order;
+  };
+  CHECK(in_z_order({0, 1, 2, 3}) == 1);
+  CHECK(in_z_order({1, 3, 0, 2}) == 1);
+  CHECK(in_z_order({0, 1, 2, 4}) == 1);  // with an area: it is called crossing itself
+  CHECK(in_z_order({0, 1, 3, 2}) == 0);
+  CHECK(in_z_order({0, 3, 1, 2}) == 0);  // a bow-tie of another order
+  CHECK(in_z_order({0, 1, 5, 1}) == 0);
+  CHECK(in_z_order({0, 1, 5}) == 0);
+  const MeshReport report = mesh_report(make_mesh(points, {{0, 1, 2, 3}, {2, 3, 0, 1}, {0, 1, 5}}));
+  CHECK(report.degenerate_faces == 3);
+  CHECK(report.quads_in_z_order == 2);
+}
+
 TEST_CASE("flat faces stay flat when their corners are rounded to floats") {
   // A tilted hexagon far from the origin: its corners are up to half an ulp off the plane.
   Points points;
