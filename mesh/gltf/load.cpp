@@ -149,7 +149,7 @@ Result<Scene> build_scene(Asset& asset) {
   Scene scene;
   const auto tree = place_nodes(asset, scene);
   if (!tree) return tl::unexpected(tree.error());
-  const auto materials = convert_materials(asset, used_materials(asset, *tree), scene);
+  const auto materials = convert_materials(asset, *tree, scene);
   if (!materials) return tl::unexpected(materials.error());
   MeshTable meshes(asset, *tree, *materials, scene);
   for (const std::uint32_t node : tree->drawn) {

@@ -244,19 +244,27 @@ Result<void> add_emission_texture(Asset& asset, const json& info, std::size_t in
   return {};
 }
 
-}  // namespace
-
-std::vector<bool> used_materials(const Asset& asset, const NodeTree& tree) {
-  std::vector<bool> used(asset.model.materials.size(), false);
+// Calls `visit` with each primitive of each mesh that a drawn node has.
+template <class Visit>
+void for_each_drawn_primitive(const Asset& asset, const NodeTree& tree, Visit visit) {
   std::vector<bool> seen(asset.model.meshes.size(), false);
   for (const std::uint32_t node : tree.drawn) {
     const int mesh = asset.model.nodes[node].mesh;
     if (mesh < 0 || seen[std::size_t(mesh)]) continue;
     seen[std::size_t(mesh)] = true;
     for (const tinygltf::Primitive& primitive : asset.model.meshes[std::size_t(mesh)].primitives) {
-      if (primitive.material >= 0) used[std::size_t(primitive.material)] = true;
+      visit(primitive);
     }
   }
+}
+
+}  // namespace
+
+std::vector<bool> used_materials(const Asset& asset, const NodeTree& tree) {
+  std::vector<bool> used(asset.model.materials.size(), false);
+  for_each_drawn_primitive(asset, tree, [&](const tinygltf::Primitive& primitive) {
+    if (primitive.material >= 0) used[std::size_t(primitive.material)] = true;
+  });
   return used;
 }
 
@@ -272,7 +280,8 @@ bool shows_emission_texture(const tinygltf::Material& described, const json& doc
   return wanted && present && *wanted == *present;
 }
 
-Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used, Scene& scene) {
+Result<Materials> convert_materials(Asset& asset, const NodeTree& tree, Scene& scene) {
+  const std::vector<bool> used = used_materials(asset, tree);
   Materials materials;
   TextureTable textures(asset, scene);
   for (std::size_t i = 0; i < asset.model.materials.size(); ++i) {
@@ -294,9 +303,16 @@ Result<Materials> convert_materials(Asset& asset, const std::vector<bool>& used,
     scene.materials.push_back(std::move(material));
     materials.texcoords.push_back(source);
   }
-  // For primitives without a material: glTF's default, which is white, metallic and fully rough.
-  scene.materials.push_back(convert(tinygltf::Material(), json::object()));
-  materials.texcoords.emplace_back();
+  bool needs_default = false;
+  for_each_drawn_primitive(asset, tree, [&](const tinygltf::Primitive& primitive) {
+    needs_default = needs_default || primitive.material < 0;
+  });
+  if (needs_default) {
+    // glTF's default is white, metallic and fully rough.
+    scene.materials.push_back(convert(tinygltf::Material(), json::object()));
+    scene.materials.back().name = "default";
+    materials.texcoords.emplace_back();
+  }
   return materials;
 }
 

@@ -23,8 +23,17 @@ Result<Matrix> from_matrix(const std::vector<double>& numbers, std::size_t index
     for (int row = 0; row < 4; ++row)
       matrix.at(row, column) = numbers[std::size_t(column * 4 + row)];
   }
-  if (matrix.at(3, 0) != 0 || matrix.at(3, 1) != 0 || matrix.at(3, 2) != 0 ||
-      matrix.at(3, 3) != 1) {
+  const auto is_unit = [](double a, double b, double c, double d) {
+    return a == 0 && b == 0 && c == 0 && d == 1;
+  };
+  if (!is_unit(matrix.at(3, 0), matrix.at(3, 1), matrix.at(3, 2), matrix.at(3, 3))) {
+    if (is_unit(matrix.at(0, 3), matrix.at(1, 3), matrix.at(2, 3), matrix.at(3, 3))) {
+      return fail(
+          entry("node", index),
+          "its matrix looks transposed: its last column is 0 0 0 1, and its last row is not",
+          "write the matrix column by column, so that the translation is in numbers 13 to "
+          "15");
+    }
     return fail(entry("node", index), "the last row of its matrix is not 0 0 0 1", kCorrect);
   }
   return matrix;

@@ -42,6 +42,7 @@ Result<Scene> load_bytes(std::string_view bytes, obj::Directory directory,
   if (!built) return tl::unexpected(built.error());
   Scene scene;
   Material& material = scene.materials.emplace_back();
+  material.name = "default";
   material.double_sided = true;
   if (built->translucent) material.alpha_mode = AlphaMode::kBlend;
   scene.meshes.push_back(std::move(built->mesh));

@@ -48,6 +48,18 @@ TEST_CASE("a closed cube is described and nothing is wrong with it") {
                  "6 faces, 8 vertices, 12 edges, 1 component, Euler characteristic 2, closed"));
 }
 
+TEST_CASE("a file without materials has one called default") {
+  const WorkingDirectory here;
+  here.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  REQUIRE(here.run("info m.obj --write m.glb").exit_code == 0);
+  for (const char* file : {"m.obj", "m.glb"}) {
+    const Json materials = info(here, file)["materials"];
+    INFO(file);
+    REQUIRE(materials.size() == 1);
+    CHECK(materials[0]["name"] == "default");
+  }
+}
+
 TEST_CASE("what is wrong with a mesh is found, counted and said") {
   struct Case {
     const char* what;

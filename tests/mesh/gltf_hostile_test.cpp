@@ -186,6 +186,11 @@ TEST_CASE("cycles, self children, two parents, deep chains and bad matrices are 
   CHECK(mentions(
       error_with("/nodes/1/matrix", {1e308, 0, 0, 0, 0, 1e308, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2}),
       "last row"));
+  // By rows, as other programs print it, and with numbers in both: only the first is transposed.
+  CHECK(mentions(error_with("/nodes/1/matrix", {1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1}),
+                 "node 1: its matrix looks transposed"));
+  CHECK(mentions(error_with("/nodes/1/matrix", {1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7, 1, 0, 0, 1}),
+                 "the last row of its matrix is not 0 0 0 1"));
   CHECK(mentions(error_with("/nodes/0/scale", {1, 2}), "node 0, scale: has 2 items"));
 
   const auto chain = [](const json& scale, const LoadLimits& limits) {

@@ -199,6 +199,23 @@ TEST_CASE(
   CHECK(scene.instances[0].node == 1);
 }
 
+TEST_CASE("a default material is listed only where a drawn primitive names none") {
+  const auto names = [](const GltfBuilder& b) {
+    std::vector<std::string> all;
+    for (const Material& material : loaded(b).materials) all.push_back(material.name);
+    return all;
+  };
+  GltfBuilder b;
+  b.triangle()["material"] = 1;
+  b.document["materials"] = {{{"name", "a"}}, {{"name", "b"}}};
+  CHECK(names(b) == std::vector<std::string>{"a", "b"});
+  b.triangle();
+  CHECK(names(b) == std::vector<std::string>{"a", "b", "default"});
+  CHECK(loaded(b).meshes[1].material == 2);
+  b.document["scenes"] = {{{"nodes", {0}}}};
+  CHECK(names(b) == std::vector<std::string>{"a", "b"});
+}
+
 TEST_CASE("the default scene is drawn, else the first, else all root nodes") {
   GltfBuilder b;
   b.triangle();
