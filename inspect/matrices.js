@@ -46,7 +46,9 @@ function projectionMatrix({camera: {lens}, view, options, width, height}) {
       ["near", distanceText(near)], ["far", distanceText(far)], ["aspect", `${width} / ${height} = ${doubleText(width / height)}`],
       ["depth", view.reversed ? "1 at the near plane, 0 at the far one" : "0 at the near plane, 1 at the far one"],
       ...givenParameters(options, ["--fov", "--ortho", "--frustum", "--near", "--far"])),
-    element("p", {}, formulaOf(lens, view)));
+    element("p", {}, options.includes("--proj")
+      ? "Your projection, converted to Glassbox's clip space: z runs from 0 to w, y points up, and w is the distance along the gaze."
+      : formulaOf(lens, view)));
 }
 function formulaOf({kind, far}, {reversed}) {
   const depth = reversed ? "n/(f−n) and n·f/(f−n)" : far === "inf" ? "−1 and −n" : "−f/(f−n) and −n·f/(f−n)";

@@ -14,14 +14,15 @@ double largest(const glm::dvec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-bool is_small(double x, double size) {
+bool is_small_beside(double x, double size) {
   return std::abs(x) <= kSmall * size;
 }
 
 // Whether the row is 0 0 0 1. The tolerance is relative to 1, not to the size of the other rows,
 // because all coordinates are divided by w, which should be 1.
 bool is_affine_row(const glm::dvec4& row) {
-  return is_small(row.x, 1) && is_small(row.y, 1) && is_small(row.z, 1) && is_small(row.w - 1, 1);
+  return is_small_beside(row.x, 1) && is_small_beside(row.y, 1) && is_small_beside(row.z, 1) &&
+         is_small_beside(row.w - 1, 1);
 }
 
 // The determinant's sign, or 0 if the determinant is below the error that rounding the entries to
@@ -76,7 +77,7 @@ MatrixShape shape_of(const glm::dmat3& a, const MatrixFacts& facts) {
 bool is_small(const glm::dmat4& m, int row, int column) {
   double largest = 0;
   for (int c = 0; c < 4; ++c) largest = std::max(largest, std::abs(entry_at(m, row, c)));
-  return is_small(entry_at(m, row, column), largest);
+  return is_small_beside(entry_at(m, row, column), largest);
 }
 
 std::string row_text(const glm::dmat4& m, int row) {
@@ -198,7 +199,7 @@ std::optional<Eyepoint> eyepoint_of(const GivenMatrix& view) {
     eye.digits += simplest_decimal(eye.position[i], eye.uncertainty).digits;
   }
   const double length = std::sqrt(glm::dot(eye.right, eye.right));
-  eye.level = is_small(eye.right.y, length) || is_small(eye.right.z, length);
+  eye.level = is_small_beside(eye.right.y, length) || is_small_beside(eye.right.z, length);
   return eye;
 }
 

@@ -23,7 +23,7 @@ struct MatrixSetup {
   std::optional<Handedness> world;    // the world's handedness, if the user knows it
   std::optional<glm::ivec2> picture;  // width and height in pixels, if the user gave them
   // Absent: the faces that are counter-clockwise in the model, even if the matrices mirror.
-  std::optional<FrontFaces> front;
+  std::optional<FrontFaces> front{};
 };
 
 // The matrices that a user gives, and what the user says about the program that uses them.

@@ -211,22 +211,19 @@ Result<MatrixView> view_of_matrices(const MatrixSetup& setup, int width, int hei
   made.setup = setup;
   made.conversion = conversion_text(setup.dialect, range);
   const glm::dmat4 p = to_our_clip_space(setup.projection.m, setup.dialect, range);
-  Split split{setup.view.m, p};
+  const std::optional<Split> found = find_eye(p * setup.view.m, range);
+  if (!found) {
+    return fail("--proj times --view",
+                "the product has no eye: it flattens the world onto a plane, a line or a point "
+                "before the picture",
+                "glassbox step --point X,Y,Z with the same matrices says what each of them does");
+  }
+  Split split = *found;
   made.eye_space_is_given = is_isometry(setup.view.m) && looks_along_an_axis(p);
   if (made.eye_space_is_given) {
     made.looks_along_plus_z = looks_along_plus_z(p, range);
-    if (made.looks_along_plus_z) {
-      split = {mirrored_in_z() * setup.view.m, p * mirrored_in_z()};
-    }
-  } else {
-    const std::optional<Split> found = find_eye(p * setup.view.m, range);
-    if (!found) {
-      return fail("--proj times --view",
-                  "the product has no eye: it flattens the world onto a plane, a line or a point "
-                  "before the picture",
-                  "glassbox step --point X,Y,Z with the same matrices says what each of them does");
-    }
-    split = *found;
+    split = made.looks_along_plus_z ? Split{mirrored_in_z() * setup.view.m, p * mirrored_in_z()}
+                                    : Split{setup.view.m, p};
   }
   make_w_the_distance(split.clip_from_eye);
   for (int column = 0; column < 4; ++column) {

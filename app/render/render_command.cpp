@@ -277,7 +277,7 @@ Result<void> RenderCommand::check_other_outputs(const std::string& image) const 
 // nobody could read again.
 std::vector<TextEntry> RenderCommand::recipe_text() const {
   if (scene_ == "-") return {};
-  std::vector<std::string> words = given_option_words(picture_);
+  std::vector<std::string> words = portable_option_words(picture_);
   for (const std::string& word : option_words(stereo_.options)) words.push_back(word);
   return to_text(Recipe{scene_, words, GLASSBOX_VERSION});
 }

@@ -71,7 +71,7 @@ Result<PointStep> step_points(const PointStepOptions& o, const OwnMatrices& matr
                             counted(o.program_clip.size(), "clip position")),
                 "give one clip position for each point, in the same order");
   }
-  if (o.expected.size() > o.points.size()) {
+  if (o.expected.size() > points.size()) {
     return fail("--expect", "there are more expected positions than points", "give one for each");
   }
   PointStep step;

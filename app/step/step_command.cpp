@@ -246,28 +246,24 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
 // Adds the options for points that are not typed.
 void StepCommand::add_tables(CLI::App& command) {
   CLI::Option* point = command.get_option("--point");
-  CLI::Option* points =
-      command
-          .add_option("--points", points_source_,
-                      "a table of points in object space: CSV, the vertices of an OBJ file, or the "
-                      "vertex shader's input that RenderDoc exports")
-          ->type_name("FILE|-")
-          ->group(kPointGroup)
-          ->excludes(point);
+  CLI::Option* points = command
+                            .add_option("--points", points_source_,
+                                        "a table of points: CSV, OBJ, or RenderDoc's shader input")
+                            ->type_name("FILE|-")
+                            ->group(kPointGroup)
+                            ->excludes(point);
   command
       .add_option_function<std::string>(
           "--vertices",
           [this](const std::string& text) { vertices_ = parse_vertex_numbers("--vertices", text); },
-          "the points are these vertices of SCENE, counted from 0 in the order of its meshes")
+          "vertices of SCENE by their numbers, counted from 0")
       ->type_name("N,N,...")
       ->group(kPointGroup)
       ->excludes(point)
       ->excludes(points);
   command
-      .add_option(
-          "--clip", clip_source_,
-          "the clip positions x, y, z, w that your program computes for the points: CSV, or "
-          "the vertex shader's output that RenderDoc exports")
+      .add_option("--clip", clip_source_,
+                  "their clip positions in your program: CSV, or RenderDoc's shader output")
       ->type_name("FILE|-")
       ->group(kPointGroup);
 }

@@ -1,8 +1,10 @@
 #include "cli/options/picture_options.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -240,24 +242,25 @@ std::vector<std::string> option_words(std::span<const CLI::Option* const> option
 }
 
 std::vector<std::string> given_option_words(const PictureOptions& picture) {
+  if (picture.matrices.reads_standard_input) return portable_option_words(picture);
+  return option_words(picture.options);
+}
+
+std::vector<std::string> portable_option_words(const PictureOptions& picture) {
+  const MatrixOptions& m = picture.matrices;
+  const std::pair<const char*, const GivenMatrix*> matrices[] = {
+      {"--model", &m.model}, {"--view", &m.view}, {"--proj", &m.projection}};
   std::vector<std::string> words;
-  const auto add_numbers = [&](const char* option, const GivenMatrix& matrix) {
-    if (!matrix.given) return;
-    words.emplace_back(option);
-    words.push_back(numbers_text(matrix));
-  };
-  // The words must not depend on files, nor on an order in which the numbers were listed.
-  const auto is_source = [](const CLI::Option* option) {
+  for (const CLI::Option* option : picture.options) {
     const std::string name = option->get_name();
-    return name == "--model" || name == "--view" || name == "--proj" || name == "--order" ||
-           name == "--model-order" || name == "--view-order" || name == "--proj-order";
-  };
-  std::vector<const CLI::Option*> others;
-  std::ranges::remove_copy_if(picture.options, std::back_inserter(others), is_source);
-  words = option_words(others);
-  add_numbers("--model", picture.matrices.model);
-  add_numbers("--view", picture.matrices.view);
-  add_numbers("--proj", picture.matrices.projection);
+    // The numbers are written by rows, so that no order is needed.
+    if (name.ends_with("order")) continue;
+    std::vector<std::string> of_option = option_words(std::array{option});
+    for (const auto& [matrix_name, matrix] : matrices) {
+      if (name == matrix_name && matrix->given) of_option = {name, numbers_text(*matrix)};
+    }
+    std::ranges::move(of_option, std::back_inserter(words));
+  }
   return words;
 }
 

@@ -52,8 +52,12 @@ void print_pixel_centres_note(const PictureOptions& picture);
 // The options that the user gave, among `options`, as words: "--size", "640x480".
 std::vector<std::string> option_words(std::span<const CLI::Option* const> options);
 
-// The words that draw this picture again.
+// The words that draw this picture again in the same directory: the options as the user gave them.
+// (Matrices from standard input, which cannot be read twice, are written as numbers.)
 std::vector<std::string> given_option_words(const PictureOptions& picture);
+
+// The words that draw this picture again anywhere: matrices are written as numbers.
+std::vector<std::string> portable_option_words(const PictureOptions& picture);
 
 // The view of the scene that the options give, and the camera that it is computed from. With
 // --seen-by it is that eye's view.

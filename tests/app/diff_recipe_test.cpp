@@ -40,7 +40,8 @@ std::string inspect_command(const std::string& out) {
 TEST_CASE("the command that is printed runs, and shows the pixel that differs") {
   const EnvironmentVariable name("GLASSBOX_INVOKED_AS", GLASSBOX_PROGRAM);
   const std::vector<std::string> recipes{
-      "teapot --size 40x30", "room --size 40x30 --shade flat --background 1,0.5,0.25 --depth d32r",
+      "teapot --size 40x30",
+      "room --size 40x30 --shade flat --background 1,0.5,0.25 --depth d32r",
       "f-glyph --size 40x30 --eye -5,2,-7 --cull none --wireframe",
       "cube --size 40x30 --eye=-.5,2,7 --look-at=-0.1,0,0 --fov 30 --near 0.1 --far inf",
       "forest --size 40x30 --ortho 8 --show depth",

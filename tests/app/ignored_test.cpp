@@ -70,9 +70,9 @@ TEST_CASE("step names what points and what triangles have no use for") {
   }
   const std::string triangle = "step cube --triangle 0 --size 64x64";
   CHECK(here.run(triangle + " --shade flat").err.empty());
-  const Outcome with = here.run(triangle + " --proj p.txt");
+  const Outcome with = here.run(triangle + " --expect 32,32");
   CHECK(with.out == here.run(triangle).out);
-  CHECK(contains(with.err, "note: --proj is ignored"));
+  CHECK(contains(with.err, "note: --expect is ignored"));
 }
 
 // Removes the line with the time in milliseconds.

@@ -21,7 +21,7 @@ using book::given;
 using book::Rows;
 
 // A camera, the points that it sees, and the numbers that its matrices are made from.
-struct Scene {
+struct BookScene {
   book::Vector3 eye, at;
   double fovy = 1, aspect = 1.5, near = 0.1, far = 100;
   book::Vector3 model_offset;
@@ -40,8 +40,8 @@ const Viewport kWindow = window_rectangle(api_dialects().front(), 0, 0, 640, 480
 
 // Returns a scene whose object and camera are placed and turned by round numbers, as people type
 // them, with four points well inside the picture.
-Scene random_scene(Random& random) {
-  Scene s;
+BookScene random_scene(Random& random) {
+  BookScene s;
   const auto round = [&](double size) { return std::round(random.between(-size, size) * 2) / 2; };
   do {
     s.eye = {round(9), 0.5 + std::abs(round(6)), round(9)};
@@ -77,7 +77,7 @@ MatrixSetup setup(const Rows& model, const Rows& view, const Rows& projection,
 TEST_CASE("where everything is right, every point is visible and no change is proposed") {
   Random random(420);
   for (int i = 0; i < 500; ++i) {
-    const Scene s = random_scene(random);
+    const BookScene s = random_scene(random);
     const double n = s.near, f = s.far;
     const Rows left_view = book::look_at_left(s.eye, s.at, {0, 1, 0});
     const MatrixSetup sets[] = {
@@ -108,12 +108,12 @@ struct Score {
   int planted = 0, vanished = 0, listed = 0, first = 0, others = 0;
 };
 
-Score score_planted_mistake(const std::function<MatrixSetup(const Scene&)>& slip,
+Score score_planted_mistake(const std::function<MatrixSetup(const BookScene&)>& slip,
                             SetupChange expected, int seed) {
   Random random{std::uint64_t(seed)};
   Score score;
   for (int i = 0; i < 400; ++i) {
-    const Scene s = random_scene(random);
+    const BookScene s = random_scene(random);
     const ConventionsReport report = check_conventions(slip(s), kWindow, s.points);
     ++score.planted;
     if (report.visible == report.points) continue;
@@ -133,7 +133,7 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
   struct PlantedMistake {
     const char* name;
     SetupChange undoes;
-    std::function<MatrixSetup(const Scene&)> slip;
+    std::function<MatrixSetup(const BookScene&)> slip;
     double first_share;  // share of cases in which it must be listed first
   };
   const auto rigid_part = [](Rows m) {
@@ -142,33 +142,39 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
   };
   const PlantedMistake slips[] = {
       {"all transposed", SetupChange::kTransposeAll,
-       [](const Scene& s) {
+       [](const BookScene& s) {
          return setup(book::transposed(s.model()), book::transposed(s.view()),
                       book::transposed(s.projection()));
        },
        1},
       {"model transposed", SetupChange::kTransposeModel,
-       [](const Scene& s) { return setup(book::transposed(s.model()), s.view(), s.projection()); },
+       [](const BookScene& s) {
+         return setup(book::transposed(s.model()), s.view(), s.projection());
+       },
        0.99},
       {"view transposed", SetupChange::kTransposeView,
-       [](const Scene& s) { return setup(s.model(), book::transposed(s.view()), s.projection()); },
+       [](const BookScene& s) {
+         return setup(s.model(), book::transposed(s.view()), s.projection());
+       },
        1},
       {"projection transposed", SetupChange::kTransposeProjection,
-       [](const Scene& s) { return setup(s.model(), s.view(), book::transposed(s.projection())); },
+       [](const BookScene& s) {
+         return setup(s.model(), s.view(), book::transposed(s.projection()));
+       },
        1},
       {"E12: S4.5 times S4.18", SetupChange::kEyeHand,
-       [](const Scene& s) {
+       [](const BookScene& s) {
          return setup(s.model(), s.view(),
                       book::perspective_d3d_left(s.fovy, s.aspect, s.near, s.far), "d3d");
        },
        0.95},
       {"view not inverted", SetupChange::kInvertView,
-       [](const Scene& s) {
+       [](const BookScene& s) {
          return setup(s.model(), book::rigid_inverse(s.view()), s.projection());
        },
        0.95},
       {"view T R for R T", SetupChange::kViewFactors,
-       [&](const Scene& s) {
+       [&](const BookScene& s) {
          return setup(s.model(),
                       book::product(book::translation(-s.eye[0], -s.eye[1], -s.eye[2]),
                                     rigid_part(s.view())),
@@ -176,7 +182,7 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
        },
        0.6},
       {"view translated by +eye", SetupChange::kViewOffsetSign,
-       [&](const Scene& s) {
+       [&](const BookScene& s) {
          return setup(
              s.model(),
              book::product(rigid_part(s.view()), book::translation(s.eye[0], s.eye[1], s.eye[2])),
@@ -184,30 +190,30 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
        },
        0},
       {"model R T for T R", SetupChange::kModelFactorsBack,
-       [](const Scene& s) {
+       [](const BookScene& s) {
          return setup(book::product(book::turn_y(s.model_turn),
                                     book::translation(s.model_offset[0], 0, s.model_offset[2])),
                       s.view(), s.projection());
        },
        0},
       {"model inverted", SetupChange::kInvertModel,
-       [](const Scene& s) {
+       [](const BookScene& s) {
          return setup(book::rigid_inverse(s.model()), s.view(), s.projection());
        },
        0},
       {"model and view exchanged", SetupChange::kExchangeModelView,
-       [](const Scene& s) { return setup(s.view(), s.model(), s.projection()); }, 0},
+       [](const BookScene& s) { return setup(s.view(), s.model(), s.projection()); }, 0},
       {"view and projection exchanged", SetupChange::kExchangeViewProjection,
-       [](const Scene& s) { return setup(s.model(), s.projection(), s.view()); }, 1},
+       [](const BookScene& s) { return setup(s.model(), s.projection(), s.view()); }, 1},
       {"degrees for radians", SetupChange::kDegrees,
-       [](const Scene& s) {
+       [](const BookScene& s) {
          return setup(
              s.model(), s.view(),
              book::perspective_gl(s.fovy * 180 / 3.14159265358979323846, s.aspect, s.near, s.far));
        },
        0.9},
       {"radians for degrees", SetupChange::kRadians,
-       [](const Scene& s) {
+       [](const BookScene& s) {
          return setup(s.model(), s.view(),
                       book::perspective_gl(book::radians(s.fovy), s.aspect, s.near, s.far));
        },
@@ -243,7 +249,7 @@ TEST_CASE("E16: a point that OpenGL shows and Direct3D clips is brought back by 
 
 TEST_CASE("E12: that every w is negative is a reason, and the count is given") {
   Random random(440);
-  const Scene s = random_scene(random);
+  const BookScene s = random_scene(random);
   const MatrixSetup set = setup(s.model(), s.view(),
                                 book::perspective_d3d_left(s.fovy, s.aspect, s.near, s.far), "d3d");
   const ConventionsReport report = check_conventions(set, kWindow, s.points);
@@ -260,7 +266,7 @@ TEST_CASE("two slips at once are found together") {
   Random random(441);
   int found = 0, tried = 0;
   for (int i = 0; i < 100; ++i) {
-    const Scene s = random_scene(random);
+    const BookScene s = random_scene(random);
     const MatrixSetup set =
         setup(s.model(), book::transposed(s.view()),
               book::perspective_d3d_left(s.fovy, s.aspect, s.near, s.far), "d3d");
@@ -281,7 +287,7 @@ TEST_CASE("the evidence of a second slip is taken from the matrices in which it 
   Random random(442);
   int found = 0;
   for (int i = 0; i < 400; ++i) {
-    const Scene s = random_scene(random);
+    const BookScene s = random_scene(random);
     const auto degrees = std::lround(s.fovy / book::radians(1));
     const Rows slipped = book::perspective_gl(double(degrees), s.aspect, s.near, s.far);
     const MatrixSetup set = setup(s.model(), s.view(), book::transposed(slipped));
@@ -352,7 +358,7 @@ TEST_CASE("changes that spoil a sound matrix are counted, not proposed") {
   Random random(442);
   int spoiling = 0;
   for (int i = 0; i < 300; ++i) {
-    Scene s = random_scene(random);
+    BookScene s = random_scene(random);
     for (CheckedPoint& point : s.points) {
       for (int k = 0; k < 3; ++k) point.object[k] = random.between(-8, 8);
     }

@@ -252,6 +252,10 @@ Result<LayersBuildCommand::BuiltLayers> LayersBuildCommand::build_from_scene(
   if (const auto good = check_options(*scene); !good) return tl::unexpected(good.error());
   const auto chosen = choose_view(*scene, picture_);
   if (!chosen) return tl::unexpected(chosen.error());
+  if (chosen->of_matrices) {
+    return fail("--proj", "a layered depth image has the lens of a camera, not a matrix",
+                "describe the lens by --fov, --ortho or --frustum, with --near and --far");
+  }
   if (rays_) {
     if (!chosen->view.perspective)
       return fail("--rays", "a parallel view has no eye for the cube around it",
