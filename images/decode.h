@@ -1,4 +1,5 @@
-// Decodes image files in memory: PNG, JPEG, BMP and TGA. The files may be hostile.
+// Decodes image files in memory: PNG, JPEG, BMP, TGA, PBM, PGM, PPM and PAM. The files may be
+// hostile.
 #pragma once
 
 #include <cstddef>
@@ -17,19 +18,26 @@ struct DecodeLimits {
   std::uint32_t max_side = 16384;  // px
 };
 
-// Returns the pixels of an image file, as stored: grey becomes r = g = b, a missing alpha becomes
-// 255, and 16 bits a channel are rounded to the nearest 8-bit value. Before anything is allocated
+// What becomes of the orientation in the Exif data of a JPEG.
+enum class Orientation : std::uint8_t {
+  kUpright,  // the picture is turned, as viewers show it
+  kStored,   // the rows stay as they are stored
+};
+
+// Returns the pixels of an image file: grey becomes r = g = b, a missing alpha becomes 255, and 16
+// bits a channel are rounded to the nearest 8-bit value. Floats (PFM, HDR) are refused. Of an
+// animation, the first frame is read. Before anything is allocated
 // in proportion to the size in the header, this size is checked against the limits and against the
 // number of bytes that follow (a file too short for the size that it claims is refused).
-Result<Image<Rgba8>> decode_image(std::span<const std::byte> bytes,
-                                  const DecodeLimits& limits = {});
+Result<Image<Rgba8>> decode_image(std::span<const std::byte> bytes, const DecodeLimits& limits = {},
+                                  Orientation orientation = Orientation::kUpright);
 
 struct ImageSize {
   std::uint32_t width = 0, height = 0;  // px
 };
 
-// Returns the size that the header of an image file states. Nothing is decoded, and the bytes after
-// the header are not read where the size can be found without them.
+// Returns the size that the header of an image file states, upright. Nothing is decoded, and the
+// bytes after the header are not read where the size can be found without them.
 std::optional<ImageSize> find_image_size(std::span<const std::byte> bytes);
 
 }  // namespace glassbox

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <glassbox/base/utf8.h>
+#include <glassbox/images/png_chunks.h>
 #include <glassbox/images/png_read.h>
 
 namespace glassbox {
@@ -14,20 +15,7 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-// The parts of a chunk are its length, its type, its data, and a CRC of type and data (PNG, third
-// edition, 5.3).
-constexpr std::size_t kSignatureBytes = 8, kLengthBytes = 4, kTypeBytes = 4, kCrcBytes = 4;
 constexpr std::size_t kMaxKeywordBytes = 79;
-
-std::uint32_t number_at(Bytes bytes, std::size_t offset) {  // big-endian
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::uint32_t(bytes[offset + i]);
-  return value;
-}
-
-std::string_view text_of(Bytes bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 // Returns the text before the first zero byte; `rest` then begins after that byte.
 std::optional<std::string_view> take_word(std::string_view& rest) {
@@ -66,9 +54,9 @@ std::optional<TextEntry> entry_of_itxt(std::string_view data) {
   return TextEntry{utf8_of_latin1(*keyword), std::string(data)};
 }
 
-bool has_right_crc(Bytes type_and_data, std::uint32_t crc) {
-  return ::crc32(0, reinterpret_cast<const Bytef*>(type_and_data.data()),
-                 uInt(type_and_data.size())) == crc;
+bool has_right_crc(const PngChunk& chunk) {
+  const Bytes bytes = chunk.type_and_data;
+  return ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), uInt(bytes.size())) == chunk.crc;
 }
 
 tl::unexpected<Error> broken(const std::string& cause) {
@@ -80,24 +68,14 @@ tl::unexpected<Error> broken(const std::string& cause) {
 Result<std::vector<TextEntry>> read_png_text(Bytes bytes) {
   std::vector<TextEntry> entries;
   if (!is_png(bytes)) return entries;
-  Bytes rest = bytes.subspan(kSignatureBytes);
+  Bytes rest = png_chunks(bytes);
   while (entries.size() < kMaxTextEntries) {
-    if (rest.size() < kLengthBytes + kTypeBytes + kCrcBytes) return broken("the file is cut off");
-    const std::size_t length = number_at(rest, 0);
-    if (length > rest.size() - (kLengthBytes + kTypeBytes + kCrcBytes)) {
-      return broken("a chunk of " + std::to_string(length) +
-                    " bytes runs past the end of the file");
-    }
-    const Bytes type_and_data = rest.subspan(kLengthBytes, kTypeBytes + length);
-    const std::uint32_t crc = number_at(rest, kLengthBytes + kTypeBytes + length);
-    rest = rest.subspan(kLengthBytes + kTypeBytes + length + kCrcBytes);
-
-    const std::string_view type = text_of(type_and_data.first(kTypeBytes));
-    if (type == "IEND") return entries;
-    if (type != "tEXt" && type != "iTXt") continue;
-    if (!has_right_crc(type_and_data, crc)) return broken("a text has the wrong check sum");
-    const std::string_view data = text_of(type_and_data.subspan(kTypeBytes));
-    auto entry = type == "tEXt" ? entry_of_text(data) : entry_of_itxt(data);
+    const auto chunk = take_png_chunk(rest);
+    if (!chunk) return tl::unexpected<Error>(chunk.error());
+    if (chunk->type == "IEND") return entries;
+    if (chunk->type != "tEXt" && chunk->type != "iTXt") continue;
+    if (!has_right_crc(*chunk)) return broken("a text has the wrong check sum");
+    auto entry = chunk->type == "tEXt" ? entry_of_text(chunk->data) : entry_of_itxt(chunk->data);
     if (entry) entries.push_back(std::move(*entry));
   }
   return entries;

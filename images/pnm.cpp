@@ -1,15 +1,14 @@
 #include <glassbox/images/pnm.h>
 
 #include <bit>
-#include <charconv>
 #include <concepts>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
-#include <glassbox/images/image_size.h>
+#include <glassbox/images/netpbm_header.h>
 #include <glassbox/images/read.h>
 #include <glassbox/images/write.h>
 
@@ -55,76 +54,6 @@ std::vector<std::byte> encode_floats(int width, int height, int channels, const 
   return bytes;
 }
 
-tl::unexpected<Error> bad_header() {
-  return fail("", "not a valid PPM, PGM or PFM header", "save the image again");
-}
-
-struct NetpbmHeader {
-  std::string magic;        // "P6"
-  std::uint64_t width = 0;  // px
-  std::uint64_t height = 0;
-  // The largest sample for PPM and PGM, the scale for PFM.
-  std::string last;
-  std::size_t size = 0;  // bytes before the first sample
-};
-
-// Reads the header and checks the size against the limits.
-Result<NetpbmHeader> read_netpbm_header(Bytes bytes, const DecodeLimits& limits) {
-  constexpr std::size_t kLongestWord = 32;
-  NetpbmHeader header;
-  std::size_t at = 0;
-  const auto character = [&] { return at < bytes.size() ? int(bytes[at]) : -1; };
-  const auto is_space = [](int c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
-  // Words are separated by white space and comments (from # to the end of the line).
-  const auto word = [&] {
-    std::string text;
-    while (is_space(character()) || character() == '#') {
-      if (character() == '#') {
-        while (character() >= 0 && character() != '\n') ++at;
-      } else {
-        ++at;
-      }
-    }
-    while (character() > ' ' && text.size() <= kLongestWord) {
-      text += char(character());
-      ++at;
-    }
-    return text;
-  };
-  const auto number = [&](std::uint64_t& value) {
-    const std::string text = word();
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size() &&
-           value <= 0xffffffffu;
-  };
-
-  header.magic = word();
-  if (header.magic.size() != 2 || !number(header.width) || !number(header.height)) {
-    return bad_header();
-  }
-  header.last = word();
-  // Exactly one separator is before the samples, because the first sample's bytes may look like
-  // white space themselves.
-  if (header.last.empty() || !is_space(character())) return bad_header();
-  header.size = at + 1;
-  // A pixel takes at least one byte; samples_of checks the exact number.
-  const auto fits = check_image_size(header.width, header.height, bytes.size(), 1, limits);
-  if (!fits) return tl::unexpected<Error>(fits.error());
-  return header;
-}
-
-// Returns the bytes after the header, if there are enough of them.
-Result<const std::byte*> samples_of(const NetpbmHeader& header, Bytes bytes,
-                                    std::uint64_t pixel_bytes) {
-  const std::uint64_t needed = header.width * header.height * pixel_bytes;
-  const Bytes rest = bytes.subspan(header.size);
-  if (rest.size() >= needed) return rest.data();
-  return fail("",
-              "the file is cut off: its pixels need " + std::to_string(needed) +
-                  " bytes, but it has only " + std::to_string(rest.size()) + " for them",
-              "save the image again");
-}
-
 struct PfmFile {
   int width = 0, height = 0, channels = 0;
   bool little_endian = false;
@@ -134,22 +63,17 @@ struct PfmFile {
 Result<PfmFile> open_pfm(Bytes bytes, const DecodeLimits& limits) {
   const auto header = read_netpbm_header(bytes, limits);
   if (!header) return tl::unexpected<Error>(header.error());
-  if (header->magic != "Pf" && header->magic != "PF") {
+  if (!is_pfm(bytes)) {
     return fail("",
                 "the file begins with " + header->magic +
                     ", but a PFM file begins with Pf (one channel) or PF (three)",
                 "give a PFM file");
   }
-  double scale = 0;
-  const char* end = header->last.data() + header->last.size();
-  const auto parsed = std::from_chars(header->last.data(), end, scale);
-  if (parsed.ec != std::errc{} || parsed.ptr != end || !(scale < 0 || scale > 0)) {
-    return bad_header();
-  }
-  const int channels = header->magic == "Pf" ? 1 : 3;
-  const auto samples = samples_of(*header, bytes, std::uint64_t(channels) * sizeof(float));
+  const std::uint64_t pixels = std::uint64_t(header->width) * header->height;
+  const auto samples = netpbm_samples(*header, bytes, pixels * header->channels * sizeof(float));
   if (!samples) return tl::unexpected<Error>(samples.error());
-  return PfmFile{int(header->width), int(header->height), channels, scale < 0, *samples};
+  return PfmFile{int(header->width), int(header->height), int(header->channels), header->scale < 0,
+                 samples->data()};
 }
 
 // `pixels` has room for every sample.
@@ -179,31 +103,125 @@ Result<Image<Pixel>> decode_pfm_as(const char* magic, Bytes bytes, const DecodeL
   return image;
 }
 
+// A file with its samples as the binary formats have them: one or two bytes each.
 struct PnmFile {
   int width = 0, height = 0, channels = 0;
-  std::uint32_t largest = 0;  // the sample value of full intensity
-  const std::byte* samples = nullptr;
+  std::uint32_t largest = 0;           // the sample value of full intensity
+  std::vector<std::byte> converted;    // the samples of formats that store them in another way
+  const std::byte* samples = nullptr;  // in the file, or in `converted`
+  PnmEnd end;
+
+  std::size_t count() const {
+    return std::size_t(width) * std::size_t(height) * std::size_t(channels);
+  }
 };
 
-Result<PnmFile> open_pnm(Bytes bytes, const DecodeLimits& limits) {
+// A bit of P1 and P4 is 1 for black.
+std::byte sample_of_bit(bool black) {
+  return std::byte(black ? 0 : 1);
+}
+
+// Unpacks the bits of P4, whose rows begin at whole bytes.
+std::vector<std::byte> unpack_bits(const NetpbmHeader& header, Bytes rows) {
+  const std::size_t width = header.width, row_bytes = (width + 7) / 8;
+  std::vector<std::byte> samples(width * header.height);
+  std::byte* out = samples.data();
+  for (std::size_t y = 0; y < header.height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const unsigned byte = unsigned(rows[y * row_bytes + x / 8]);
+      *out++ = sample_of_bit((byte >> (7 - x % 8) & 1) != 0);
+    }
+  }
+  return samples;
+}
+
+// Reads the next sample of P1, one digit, or of P2 and P3, a decimal number.
+std::optional<std::uint32_t> plain_sample(const NetpbmHeader& header, NetpbmWords& words) {
+  if (header.magic != "P1") return words.number();
+  const int digit = words.digit();
+  if (digit != '0' && digit != '1') return std::nullopt;
+  return std::uint32_t(sample_of_bit(digit == '1'));
+}
+
+// Reads the samples of P1, P2 and P3, which are text. `length` becomes the length of that text.
+Result<std::vector<std::byte>> read_plain(const NetpbmHeader& header, Bytes text,
+                                          std::size_t& length) {
+  const std::size_t count = std::size_t(header.width) * header.height * header.channels;
+  std::vector<std::byte> samples;
+  samples.reserve(count * (header.largest > 255 ? 2 : 1));
+  NetpbmWords words(text);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto sample = plain_sample(header, words);
+    const std::string which = "sample " + std::to_string(i + 1) + " of " + std::to_string(count);
+    if (!sample) {
+      const bool ends = words.character() < 0;
+      return fail("", which + (ends ? " is missing or no number" : " is no number"),
+                  "save the image again");
+    }
+    if (*sample > header.largest) {
+      return fail("",
+                  which + " is " + std::to_string(*sample) + ", above the largest value, " +
+                      std::to_string(header.largest),
+                  "write no sample above the largest value");
+    }
+    if (header.largest > 255) samples.push_back(std::byte(*sample >> 8));  // big-endian
+    samples.push_back(std::byte(*sample & 0xff));
+  }
+  length = words.at();
+  return samples;
+}
+
+bool is_plain(const NetpbmHeader& header) {
+  return header.magic[1] <= '3';
+}
+
+Result<NetpbmHeader> read_pnm_header(Bytes bytes, const DecodeLimits& limits) {
   const auto header = read_netpbm_header(bytes, limits);
+  if (!header || is_pnm(bytes)) return header;
+  return fail("",
+              "the file begins with " + header->magic +
+                  ", but P1 to P7 (PBM, PGM, PPM, PAM) "
+                  "are read here",
+              "give one of these");
+}
+
+// The number of bytes that the samples have in the file; of text, the fewest that they can have.
+std::uint64_t sample_bytes(const NetpbmHeader& header) {
+  const std::uint64_t width = header.width, height = header.height;
+  if (header.magic == "P1") return width * height;
+  if (header.magic == "P4") return (width + 7) / 8 * height;
+  const std::uint64_t samples = width * height * header.channels;
+  if (is_plain(header)) return 2 * samples - 1;  // a digit each, and a space between them
+  return samples * (header.largest > 255 ? 2 : 1);
+}
+
+Result<PnmFile> open_pnm(Bytes bytes, const DecodeLimits& limits) {
+  const auto header = read_pnm_header(bytes, limits);
   if (!header) return tl::unexpected<Error>(header.error());
-  if (header->magic != "P5" && header->magic != "P6") {
-    return fail(
-        "", "the file begins with " + header->magic + ", but only P5 (PGM) and P6 (PPM) are read",
-        "convert the file to PNG");
-  }
-  std::uint32_t largest = 0;
-  const char* end = header->last.data() + header->last.size();
-  const auto parsed = std::from_chars(header->last.data(), end, largest);
-  if (parsed.ec != std::errc{} || parsed.ptr != end || largest == 0 || largest > 65535) {
-    return bad_header();
-  }
-  const int channels = header->magic == "P6" ? 3 : 1;
-  const auto samples =
-      samples_of(*header, bytes, std::uint64_t(channels) * (largest > 255 ? 2 : 1));
+  const auto samples = netpbm_samples(*header, bytes, sample_bytes(*header));
   if (!samples) return tl::unexpected<Error>(samples.error());
-  return PnmFile{int(header->width), int(header->height), channels, largest, *samples};
+  PnmFile file{int(header->width),
+               int(header->height),
+               int(header->channels),
+               header->largest,
+               {},
+               samples->data(),
+               {}};
+  std::size_t length = std::size_t(sample_bytes(*header));
+  if (is_plain(*header)) {
+    auto read = read_plain(*header, *samples, length);
+    if (!read) return tl::unexpected<Error>(read.error());
+    file.converted = std::move(*read);
+    file.samples = file.converted.data();
+  } else if (header->magic == "P4") {
+    file.converted = unpack_bits(*header, *samples);
+    file.samples = file.converted.data();
+  }
+  file.end.at = header->size + length;
+  const bool ends_in_cr_lf = !is_plain(*header) && bytes[header->size - 1] == std::byte{'\r'} &&
+                             samples->front() == std::byte{'\n'};
+  file.end.has_line_feed_too_many = ends_in_cr_lf && file.end.at < bytes.size();
+  return file;
 }
 
 // Reads the samples of a file one by one, scaled and rounded to the range from 0 to the largest
@@ -227,8 +245,8 @@ private:
 };
 
 template <class Sample>
-std::vector<Sample> read_samples(const PnmFile& file, std::size_t count) {
-  std::vector<Sample> samples(count);
+std::vector<Sample> read_samples(const PnmFile& file) {
+  std::vector<Sample> samples(file.count());
   SampleReader<Sample> reader(file);
   for (Sample& sample : samples) sample = reader.next();
   return samples;
@@ -237,8 +255,8 @@ std::vector<Sample> read_samples(const PnmFile& file, std::size_t count) {
 }  // namespace
 
 bool is_pnm(Bytes bytes) {
-  return bytes.size() >= 2 && bytes[0] == std::byte{'P'} &&
-         (bytes[1] == std::byte{'5'} || bytes[1] == std::byte{'6'});
+  return bytes.size() >= 2 && bytes[0] == std::byte{'P'} && bytes[1] >= std::byte{'1'} &&
+         bytes[1] <= std::byte{'7'};
 }
 
 bool is_pfm(Bytes bytes) {
@@ -282,27 +300,37 @@ Result<std::vector<std::byte>> encode_pfm(const StoredImage& image) {
 Result<Image<Rgba8>> decode_pnm(Bytes bytes, const DecodeLimits& limits) {
   const auto file = open_pnm(bytes, limits);
   if (!file) return tl::unexpected<Error>(file.error());
+  if (file->end.has_line_feed_too_many) {
+    return fail("", line_feed_text(), "write the file in binary mode, so that LF stays LF");
+  }
   Image<Rgba8> image(file->width, file->height);
   SampleReader<std::uint8_t> reader(*file);
+  const bool has_color = file->channels >= 3, has_alpha = file->channels % 2 == 0;
   for (Rgba8& pixel : image.pixels) {
     pixel.r = reader.next();
-    pixel.g = file->channels == 3 ? reader.next() : pixel.r;
-    pixel.b = file->channels == 3 ? reader.next() : pixel.r;
+    pixel.g = has_color ? reader.next() : pixel.r;
+    pixel.b = has_color ? reader.next() : pixel.r;
+    if (has_alpha) pixel.a = reader.next();
   }
   return image;
 }
 
-Result<StoredImage> decode_pnm_stored(Bytes bytes, const DecodeLimits& limits) {
+Result<StoredImage> decode_pnm_stored(Bytes bytes, const DecodeLimits& limits, PnmEnd* end) {
   const auto file = open_pnm(bytes, limits);
   if (!file) return tl::unexpected<Error>(file.error());
+  if (end) *end = file->end;
   StoredImage image{file->width, file->height, file->channels, {}};
-  const std::size_t count = image.pixels() * std::size_t(image.channels);
   if (file->largest > 255) {
-    image.samples = read_samples<std::uint16_t>(*file, count);
+    image.samples = read_samples<std::uint16_t>(*file);
   } else {
-    image.samples = read_samples<std::uint8_t>(*file, count);
+    image.samples = read_samples<std::uint8_t>(*file);
   }
   return image;
+}
+
+std::string line_feed_text() {
+  return "the header ends in CR LF, where one byte belongs: LF is read as the first sample, every "
+         "other sample comes one byte too late, and one byte is left over";
 }
 
 Result<Image<float>> decode_pfm(Bytes bytes, const DecodeLimits& limits) {
@@ -322,9 +350,11 @@ Result<StoredImage> decode_pfm_stored(Bytes bytes, const DecodeLimits& limits) {
 }
 
 Result<StoredHeader> stored_header_of_pnm(Bytes bytes, const DecodeLimits& limits) {
-  return open_pnm(bytes, limits).map([](const PnmFile& file) {
-    return StoredHeader{file.width, file.height, file.channels};
-  });
+  const auto header = read_pnm_header(bytes, limits);
+  if (!header) return tl::unexpected<Error>(header.error());
+  const auto samples = netpbm_samples(*header, bytes, sample_bytes(*header));
+  if (!samples) return tl::unexpected<Error>(samples.error());
+  return StoredHeader{int(header->width), int(header->height), int(header->channels)};
 }
 Result<StoredHeader> stored_header_of_pfm(Bytes bytes, const DecodeLimits& limits) {
   return open_pfm(bytes, limits).map([](const PfmFile& file) {

@@ -9,8 +9,7 @@
 #include <memory>
 
 #include <glassbox/images/out_of_memory.h>
-#include <glassbox/images/pnm.h>
-#include <glassbox/images/stored_image.h>
+#include <glassbox/images/stored_file.h>
 
 namespace glassbox {
 namespace {
@@ -21,8 +20,7 @@ tl::unexpected<Error> file_error(const std::string& path, std::string cause, std
 
 // Reads and decodes a file; an error names the file.
 template <class Picture>
-Result<Picture> read_as(const std::string& path, const DecodeLimits& limits,
-                        Result<Picture> (*decode)(std::span<const std::byte>, const DecodeLimits&),
+Result<Picture> read_as(const std::string& path, const DecodeLimits& limits, auto decode,
                         std::uint64_t max_bytes = std::uint64_t(1) << 30) {
   auto picture = unless_out_of_memory([&]() -> Result<Picture> {
     const auto bytes = read_file(path, max_bytes);
@@ -31,10 +29,6 @@ Result<Picture> read_as(const std::string& path, const DecodeLimits& limits,
   });
   if (!picture) picture.error().file = path;
   return picture;
-}
-
-Result<Image<Rgba8>> decode_bytes(std::span<const std::byte> bytes, const DecodeLimits& limits) {
-  return is_pnm(bytes) ? decode_pnm(bytes, limits) : decode_image(bytes, limits);
 }
 
 // The length of the longest file that an image within the limits can have. The widest pixel is
@@ -85,8 +79,11 @@ Result<std::vector<std::byte>> read_file(const std::string& path, std::uint64_t 
   }
 }
 
-Result<Image<Rgba8>> read_image(const std::string& path, const DecodeLimits& limits) {
-  return read_as<Image<Rgba8>>(path, limits, &decode_bytes);
+Result<Image<Rgba8>> read_image(const std::string& path, const DecodeLimits& limits,
+                                Orientation orientation) {
+  return read_as<Image<Rgba8>>(path, limits, [&](auto bytes, const DecodeLimits& all) {
+    return decode_image(bytes, all, orientation);
+  });
 }
 Result<Image<float>> read_pfm(const std::string& path, const DecodeLimits& limits) {
   return read_as<Image<float>>(path, limits, &decode_pfm);
@@ -96,6 +93,9 @@ Result<Image<Rgb32f>> read_pfm_rgb(const std::string& path, const DecodeLimits& 
 }
 Result<StoredImage> read_stored(const std::string& path, const DecodeLimits& limits) {
   return read_as<StoredImage>(path, limits, &decode_stored, longest_file(limits));
+}
+Result<StoredFile> read_stored_file(const std::string& path, const DecodeLimits& limits) {
+  return read_as<StoredFile>(path, limits, &decode_stored_file, longest_file(limits));
 }
 
 }  // namespace glassbox

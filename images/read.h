@@ -17,10 +17,11 @@ namespace glassbox {
 Result<std::vector<std::byte>> read_file(const std::string& path,
                                          std::uint64_t max_bytes = std::uint64_t(1) << 30);
 
-// Reads PNG, JPEG, BMP, TGA or binary PPM/PGM, recognised by the content.
-Result<Image<Rgba8>> read_image(const std::string& path, const DecodeLimits& limits = {});
+// Reads what decode_image reads, recognised by the content.
+Result<Image<Rgba8>> read_image(const std::string& path, const DecodeLimits& limits = {},
+                                Orientation orientation = Orientation::kUpright);
 
-// Decodes binary PPM or PGM (P6, P5) with up to 16 bits a channel.
+// Decodes PBM, PGM or PPM, binary or plain, or PAM (P1 to P7), with up to 16 bits a channel.
 Result<Image<Rgba8>> decode_pnm(std::span<const std::byte> bytes, const DecodeLimits& limits = {});
 
 // Decodes PFM of either byte order; read_pfm takes one channel, read_pfm_rgb three.

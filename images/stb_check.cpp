@@ -1,7 +1,10 @@
 #include <glassbox/images/stb_check.h>
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace glassbox {
 namespace {
@@ -71,6 +74,44 @@ std::uint64_t packed_bytes(Bytes packets, std::uint64_t pixels, std::uint64_t pi
   return pixels == 0 ? at : packets.size() + 1;
 }
 
+// Returns the bytes after the header of a Radiance HDR picture, which ends with an empty line, and
+// after the line with the size.
+std::optional<Bytes> hdr_pixels(Bytes bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::size_t blank = text.find("\n\n");
+  if (blank == std::string_view::npos) return std::nullopt;
+  const std::size_t end = text.find('\n', blank + 2);
+  if (end == std::string_view::npos) return std::nullopt;
+  return bytes.subspan(end + 1);
+}
+
+// Removes one row of run lengths from the front: four bytes that say its width, then for each byte
+// of the pixels packets of a count and its bytes. A count above 128 repeats one byte.
+bool take_hdr_row(Bytes& rest, std::uint64_t width) {
+  constexpr std::size_t kHead = 4, kBytesOfPixel = 4;
+  if (rest.size() < kHead || rest[0] != std::byte{2} || rest[1] != std::byte{2}) return false;
+  if ((std::uint64_t(rest[2]) << 8 | std::uint64_t(rest[3])) != width) return false;
+  rest = rest.subspan(kHead);
+  for (std::size_t i = 0; i < kBytesOfPixel; ++i) {
+    for (std::uint64_t left = width; left > 0;) {
+      const std::uint64_t head = rest.empty() ? 0 : std::uint64_t(rest[0]);
+      const std::uint64_t run = head > 128 ? head - 128 : head, stored = head > 128 ? 1 : head;
+      if (run == 0 || run > left || rest.size() < 1 + stored) return false;
+      rest = rest.subspan(1 + stored);
+      left -= run;
+    }
+  }
+  return true;
+}
+
+bool has_old_run(Bytes pixels) {
+  const std::byte one{1};
+  for (; pixels.size() >= 4; pixels = pixels.subspan(4)) {
+    if (pixels[0] == one && pixels[1] == one && pixels[2] == one) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Result<void> check_jpeg(Bytes bytes) {
@@ -107,6 +148,15 @@ Result<void> check_jpeg(Bytes bytes) {
       rest = rest.subspan(coded_bytes(rest));
     }
   }
+}
+
+Result<void> check_bmp_compression(Bytes bytes) {
+  static constexpr const char* kNames[] = {nullptr, "RLE8", "RLE4", nullptr, "JPEG", "PNG"};
+  if (bytes.size() < 34 || number_at(bytes, 14, 4) < 40) return {};
+  const std::uint64_t kind = number_at(bytes, 30, 4);
+  if (kind >= std::size(kNames) || kNames[kind] == nullptr) return {};
+  return fail("", std::string("is a BMP with ") + kNames[kind] + " compression, which is not read",
+              "save it without compression, or convert it to PNG");
 }
 
 Result<void> check_bmp(Bytes bytes, std::uint64_t width, std::uint64_t height) {
@@ -157,6 +207,33 @@ Result<void> check_tga(Bytes bytes, std::uint64_t width, std::uint64_t height) {
   const std::uint64_t needed =
       packed ? packed_bytes(samples, pixels, pixel_bytes) : pixels * pixel_bytes;
   if (needed > samples.size()) return cut_off("TGA");
+  return {};
+}
+
+Result<void> check_hdr(Bytes bytes, std::uint64_t width, std::uint64_t height) {
+  const auto pixels = hdr_pixels(bytes);
+  if (!pixels) return cut_off("Radiance HDR");
+  constexpr std::uint64_t kMinPackedWidth = 8, kMaxPackedWidth = 32767;
+  const bool packed = width >= kMinPackedWidth && width <= kMaxPackedWidth && pixels->size() >= 3 &&
+                      (*pixels)[0] == std::byte{2} && (*pixels)[1] == std::byte{2} &&
+                      (*pixels)[2] < std::byte{0x80};
+  if (!packed) {
+    const std::uint64_t needed = width * height * 4;
+    if (has_old_run(pixels->first(std::min<std::uint64_t>(needed, pixels->size())))) {
+      return fail("", "is a Radiance HDR picture with the older run lengths, which are not read",
+                  "save it again with another program");
+    }
+    if (needed > pixels->size()) return cut_off("Radiance HDR");
+    return {};
+  }
+  Bytes rest = *pixels;
+  for (std::uint64_t y = 0; y < height; ++y) {
+    if (take_hdr_row(rest, width)) continue;
+    return fail("",
+                "the Radiance HDR file is cut off, or the run lengths of row " +
+                    std::to_string(y + 1) + " are wrong",
+                "save the image again");
+  }
   return {};
 }
 

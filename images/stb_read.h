@@ -1,4 +1,4 @@
-// Reads JPEG, BMP and TGA files for decode.h and stored_image.h.
+// Reads JPEG, BMP, TGA and Radiance HDR files for decode.h and stored_image.h.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@
 
 namespace glassbox {
 
-// Whether the bytes start like a JPEG, BMP or TGA file. TGA has no signature, so any plausible
-// header is accepted.
-bool is_stb_format(std::span<const std::byte> bytes);
+enum class StbFormat : std::uint8_t { kJpeg, kBmp, kTga, kHdr };
 
-// Decodes a file for which is_stb_format is true.
-Result<Image<Rgba8>> decode_with_stb(std::span<const std::byte> bytes, const DecodeLimits& limits);
-Result<StoredImage> decode_stored_with_stb(std::span<const std::byte> bytes,
+// Whether the bytes start like a TGA file. TGA has no signature, so any plausible header of a file
+// that picture_format_of does not know is accepted.
+bool is_tga(std::span<const std::byte> bytes);
+
+// HDR pictures are floats, which decode_with_stb does not read.
+Result<Image<Rgba8>> decode_with_stb(StbFormat format, std::span<const std::byte> bytes,
+                                     const DecodeLimits& limits, Orientation orientation);
+Result<StoredImage> decode_stored_with_stb(StbFormat format, std::span<const std::byte> bytes,
                                            const DecodeLimits& limits);
-Result<StoredHeader> stored_header_with_stb(std::span<const std::byte> bytes,
+Result<StoredHeader> stored_header_with_stb(StbFormat format, std::span<const std::byte> bytes,
                                             const DecodeLimits& limits);
-
-// Returns nothing where stb could not read the file.
-std::optional<ImageSize> find_size_with_stb(std::span<const std::byte> bytes);
 
 }  // namespace glassbox

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <utility>
 
+#include <glassbox/images/format.h>
 #include <glassbox/images/out_of_memory.h>
 #include <glassbox/images/pack.h>
 #include <glassbox/images/png_read.h>
@@ -15,26 +16,48 @@ namespace {
 tl::unexpected<Error> is_empty() {
   return fail("", "the image is empty", "save the image again");
 }
-tl::unexpected<Error> is_none() {
-  return fail("", "not a PNG, JPEG, BMP, TGA, PPM, PGM or PFM image", "convert it to PNG");
+// Calls the reader of the format: with_png, with_pnm or with_pfm, or with_stb of one of its
+// formats.
+template <class Value>
+Result<Value> read_any(std::span<const std::byte> bytes, auto with_png, auto with_pnm,
+                       auto with_pfm, auto with_stb) {
+  if (bytes.empty()) return is_empty();
+  const auto format = picture_format_of(bytes);
+  if (!format && is_tga(bytes)) return with_stb(StbFormat::kTga);
+  if (!format) return refuse_unknown();
+  switch (format->format) {
+    case PictureFormat::kPng:
+      return with_png();
+    case PictureFormat::kJpeg:
+      return with_stb(StbFormat::kJpeg);
+    case PictureFormat::kBmp:
+      return with_stb(StbFormat::kBmp);
+    case PictureFormat::kHdr:
+      return with_stb(StbFormat::kHdr);
+    case PictureFormat::kPnm:
+      return with_pnm();
+    case PictureFormat::kPfm:
+      return with_pfm();
+    case PictureFormat::kNotRead:
+      break;
+  }
+  return refuse_format(*format);
 }
 
 Result<StoredImage> decode_any(std::span<const std::byte> bytes, const DecodeLimits& limits) {
-  if (bytes.empty()) return is_empty();
-  if (is_png(bytes)) return decode_png_stored(bytes, limits);
-  if (is_pnm(bytes)) return decode_pnm_stored(bytes, limits);
-  if (is_pfm(bytes)) return decode_pfm_stored(bytes, limits);
-  if (is_stb_format(bytes)) return decode_stored_with_stb(bytes, limits);
-  return is_none();
+  return read_any<StoredImage>(
+      bytes, [&] { return decode_png_stored(bytes, limits); },
+      [&] { return decode_pnm_stored(bytes, limits); },
+      [&] { return decode_pfm_stored(bytes, limits); },
+      [&](StbFormat format) { return decode_stored_with_stb(format, bytes, limits); });
 }
 
 Result<StoredHeader> header_of_any(std::span<const std::byte> bytes, const DecodeLimits& limits) {
-  if (bytes.empty()) return is_empty();
-  if (is_png(bytes)) return stored_header_of_png(bytes, limits);
-  if (is_pnm(bytes)) return stored_header_of_pnm(bytes, limits);
-  if (is_pfm(bytes)) return stored_header_of_pfm(bytes, limits);
-  if (is_stb_format(bytes)) return stored_header_with_stb(bytes, limits);
-  return is_none();
+  return read_any<StoredHeader>(
+      bytes, [&] { return stored_header_of_png(bytes, limits); },
+      [&] { return stored_header_of_pnm(bytes, limits); },
+      [&] { return stored_header_of_pfm(bytes, limits); },
+      [&](StbFormat format) { return stored_header_with_stb(format, bytes, limits); });
 }
 
 template <class Pixel>

@@ -1,5 +1,5 @@
-// Reads hostile image files: PNG, JPEG, BMP and TGA with decode_image; PPM, PGM and PFM with their
-// own readers.
+// Reads hostile image files: all that have 8 or 16 bits with decode_image; PBM, PGM, PPM, PAM and
+// PFM with their own readers, too.
 #include <cstddef>
 #include <cstdint>
 #include <span>

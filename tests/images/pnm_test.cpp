@@ -50,7 +50,7 @@ TEST_CASE("a PPM that is cut off or wrong is refused") {
   }
   for (const auto text :
        {"P6 0 1 255\n", "P6 1 1 0\nabc", "P6 1 1 65536\nabcdef", "P6 -1 1 255\nabc",
-        "P6 1 1 255x\nabc", "P3 1 1 255\n1 2 3", "P6 99999999999 1 255\nabc",
+        "P6 1 1 255x\nabc", "P8 1 1 255\n1 2 3", "P6 99999999999 1 255\nabc",
         "P6 4294967295 4294967295 255\nabc", "P6 16384 4096 255\nabc"}) {
     CAPTURE(text);
     CHECK_FALSE(decode_pnm(bytes_of(text)));
