@@ -11,6 +11,7 @@
 #include <glassbox/compare/pixels/explanation.h>
 #include <glassbox/images/png_text.h>
 #include <glassbox/images/read.h>
+#include <glassbox/images/stored_file.h>
 
 namespace glassbox {
 namespace {
@@ -106,6 +107,40 @@ Comparison uncompared(Comparison comparison, Error error) {
   return comparison;
 }
 
+// Notes what is odd about the files, and what of them is not compared pixel by pixel. Refuses a
+// verdict that passes where the rest of the files could look different.
+void consider_rest(Comparison& comparison, const StoredFile& reference, const StoredFile& test) {
+  std::vector<std::string>& notes = comparison.notes;
+  for (const auto& [name, file] :
+       {std::pair("the reference: ", &reference), std::pair("the test: ", &test)}) {
+    for (const std::string& note : file->notes) notes.push_back(name + note);
+  }
+  if (reference.orientation != test.orientation) {
+    notes.push_back(
+        fmt::format("turned upright: the Exif orientation of the reference is {}, that "
+                    "of the test {}",
+                    reference.orientation, test.orientation));
+  }
+  if (reference.rest.empty() && test.rest.empty()) return;
+  const auto name_of = [](const StoredFile& file) {
+    return file.rest.empty() ? "nothing" : file.rest_name;
+  };
+  const std::string what =
+      fmt::format("besides the first picture, the reference has {}, the test {}",
+                  name_of(reference), name_of(test));
+  if (reference.rest == test.rest) {
+    notes.push_back(what + "; these are the same bytes, and are not compared further");
+  } else if (!passes(comparison.verdict)) {
+    notes.push_back(what + "; only the first pictures are compared");
+  } else {
+    comparison.verdict = Verdict::kUncompared;
+    comparison.error = Error{comparison.test.path, "",
+                             "the first pictures pass, but nothing else can be compared: " + what +
+                                 ", which are not the same bytes",
+                             "save every picture as a file of its own, and compare these"};
+  }
+}
+
 }  // namespace
 
 Result<Selection> selection_of(const StoredImage& reference, const std::vector<PixelBox>& ignore,
@@ -138,31 +173,34 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
 
   const auto sidecar = find_sidecar(reference_path);
   if (!sidecar) return uncompared(std::move(comparison), sidecar.error());
-  const auto reference = read_stored(reference_path);
-  if (!reference) return uncompared(std::move(comparison), reference.error());
-  comparison.reference = facts(reference_path, *reference);
-  const auto test = read_stored(test_path);
-  if (!test) return uncompared(std::move(comparison), test.error());
-  comparison.test = facts(test_path, *test);
+  const auto reference_file = read_stored_file(reference_path);
+  if (!reference_file) return uncompared(std::move(comparison), reference_file.error());
+  const StoredImage& reference = reference_file->image;
+  comparison.reference = facts(reference_path, reference);
+  const auto test_file = read_stored_file(test_path);
+  if (!test_file) return uncompared(std::move(comparison), test_file.error());
+  const StoredImage& test = test_file->image;
+  comparison.test = facts(test_path, test);
 
-  comparison.reasons = explain_format_mismatch(*reference, *test);
+  comparison.reasons = explain_format_mismatch(reference, test);
   if (!comparison.reasons.empty()) {
     comparison.verdict = Verdict::kDifferent;
     consult_recipes(comparison, options);
+    consider_rest(comparison, *reference_file, *test_file);
     return comparison;
   }
   ComparisonRules rules = combine_rules(options, *sidecar, comparison.notes);
   // max_ulp applies to floats only.
-  if (!is_float(*reference)) rules.options.tolerance.max_ulp.reset();
+  if (!is_float(reference)) rules.options.tolerance.max_ulp.reset();
   comparison.tolerance = tolerance_text(rules.options);
   comparison.tolerance_reason = rules.reason;
   comparison.ignore = rules.options.ignore;
   comparison.mask = rules.options.mask;
   comparison.nan_equals_nan = options.nan_equals_nan;
-  const auto selection = selection_of(*reference, comparison.ignore, comparison.mask);
+  const auto selection = selection_of(reference, comparison.ignore, comparison.mask);
   if (!selection) return uncompared(std::move(comparison), selection.error());
 
-  const PicturePair pair{*reference, *test, *selection, options.nan_equals_nan};
+  const PicturePair pair{reference, test, *selection, options.nan_equals_nan};
   comparison.differences = find_differences(pair);
   comparison.metrics = measure_metrics(pair, rules.options.metrics);
   decide_verdict(comparison, rules.options, pair);
@@ -174,6 +212,7 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
     if (!note.empty()) comparison.notes.push_back(note);
   }
   if (!passes(comparison.verdict)) consult_recipes(comparison, options);
+  consider_rest(comparison, *reference_file, *test_file);
   return comparison;
 }
 

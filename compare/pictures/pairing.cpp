@@ -4,26 +4,46 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
+#include <span>
 #include <system_error>
+
+#include <glassbox/images/format.h>
+#include <glassbox/images/read.h>
+#include <glassbox/images/stored_image.h>
 
 namespace glassbox {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower_extension(const fs::path& path) {
+bool is_sidecar(const fs::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
+  return extension == ".fuzzy";
 }
 
-bool is_picture(const fs::path& path) {
-  static constexpr std::array kExtensions{".png", ".jpg", ".jpeg", ".bmp",
-                                          ".tga", ".ppm", ".pgm",  ".pfm"};
-  return std::find(kExtensions.begin(), kExtensions.end(), lower_extension(path)) !=
-         kExtensions.end();
+bool has_picture_name(const fs::path& path) {
+  return is_picture_extension(path.extension().string());
+}
+
+// Whether a file without a picture's extension is a picture by its first bytes. Those of some
+// formats are two letters, which a text can begin with, too: they need a whole header.
+bool has_picture_bytes(const fs::path& path) {
+  std::array<char, kFormatBytes> start{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), std::streamsize(start.size()));
+  const auto bytes = std::as_bytes(std::span(start)).first(std::size_t(file.gcount()));
+  const auto format = picture_format_of(bytes);
+  if (!format) return false;
+  const bool may_be_text = format->format == PictureFormat::kBmp ||
+                           format->format == PictureFormat::kPnm ||
+                           format->format == PictureFormat::kPfm;
+  if (!may_be_text) return true;
+  const auto whole = read_file(path.string());
+  return whole && stored_header(*whole).has_value();
 }
 
 tl::unexpected<Error> cannot_list(const std::string& directory, const std::error_code& error) {
@@ -31,28 +51,38 @@ tl::unexpected<Error> cannot_list(const std::string& directory, const std::error
                               "check the name and the permissions"});
 }
 
-// The names of all files below `directory`, with / between folders.
-Result<std::set<std::string>> files_below(const std::string& directory) {
-  std::set<std::string> names;
+// The names of files below a directory, with / between folders.
+struct Files {
+  std::set<std::string> pictures, sidecars;
+};
+
+Result<Files> files_below(const std::string& directory) {
+  Files files;
   std::error_code error;
   fs::recursive_directory_iterator it(directory, error);
   if (error) return cannot_list(directory, error);
   for (; it != fs::recursive_directory_iterator(); it.increment(error)) {
     std::error_code ignored;
     if (it->is_regular_file(ignored)) {
-      names.insert(it->path().lexically_relative(directory).generic_string());
+      const fs::path& path = it->path();
+      const std::string name = path.lexically_relative(directory).generic_string();
+      if (is_sidecar(path)) {
+        files.sidecars.insert(name);
+      } else if (has_picture_name(path) || has_picture_bytes(path)) {
+        files.pictures.insert(name);
+      }
     }
     if (error) return cannot_list(directory, error);
   }
   if (error) return cannot_list(directory, error);
-  return names;
+  return files;
 }
 
-bool has_picture(const std::string& sidecar, const std::set<std::string>& names) {
+bool has_picture(const std::string& sidecar, const std::set<std::string>& pictures) {
   const fs::path stem = fs::path(sidecar).replace_extension();  // teapot.png.fuzzy or teapot.fuzzy
-  if (is_picture(stem) && names.count(stem.generic_string()) > 0) return true;
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return is_picture(name) && fs::path(name).replace_extension() == stem;
+  if (pictures.count(stem.generic_string()) > 0) return true;
+  return std::any_of(pictures.begin(), pictures.end(), [&](const std::string& name) {
+    return fs::path(name).replace_extension() == stem;
   });
 }
 
@@ -70,19 +100,14 @@ Result<Pairing> pair_directories(const std::string& reference, const std::string
 
   std::map<std::string, PicturePaths> pictures;
   Pairing pairing;
-  for (const std::string& name : *references) {
-    if (is_picture(name)) pictures[name].has_reference = true;
-    if (lower_extension(name) == ".fuzzy" && !has_picture(name, *references)) {
-      pairing.orphans.push_back(below(reference, name));
-    }
-  }
-  for (const std::string& name : *tests) {
-    if (is_picture(name)) pictures[name].has_test = true;
+  for (const std::string& name : references->pictures) pictures[name].has_reference = true;
+  for (const std::string& name : tests->pictures) pictures[name].has_test = true;
+  for (const std::string& name : references->sidecars) {
+    if (!has_picture(name, references->pictures)) pairing.orphans.push_back(below(reference, name));
   }
   if (pictures.empty()) {
-    return tl::unexpected(
-        Error{reference, "", "there is no picture in it, nor in " + test,
-              "name two directories with pictures (png, jpg, bmp, tga, ppm, pgm, pfm)"});
+    return tl::unexpected(Error{reference, "", "there is no picture in it, nor in " + test,
+                                "name two directories with pictures, such as PNG files"});
   }
   for (auto& [name, paths] : pictures) {
     paths.name = name;

@@ -24,11 +24,11 @@ public:
   }
   std::string ref() const { return directory_.file("ref"); }
   std::string out() const { return directory_.file("out"); }
-  // Makes an empty file "ref/..." or "out/...", with its folders.
-  void add(const std::string& name) const {
+  // Makes a file "ref/..." or "out/...", with its folders.
+  void add(const std::string& name, const std::string& bytes = "") const {
     const fs::path path = directory_.file(name);
     fs::create_directories(path.parent_path());
-    std::ofstream(path) << "";
+    std::ofstream(path, std::ios::binary) << bytes;
   }
   Pairing pairs() const {
     const auto pairing = pair_directories(ref(), out());
@@ -88,15 +88,39 @@ TEST_CASE("names do not depend on how the directories are written") {
   CHECK(summary(*pairing) == Lines{"sub/a.png ++"});
 }
 
-TEST_CASE("a picture is known by its extension, in either case") {
+TEST_CASE("a picture is known by its extension, in either case, also one that is not read") {
   const TwoFolders here;
-  for (const char* name : {"a.png", "b.PNG", "c.Jpg", "d.JPEG", "e.bmp", "f.tga", "g.ppm", "h.pgm",
-                           "i.pfm", "j.txt", "k", "png", ".png", "l.png.bak", "m.exr", "n.png~"}) {
+  for (const char* name :
+       {"a.png", "b.PNG",  "c.Jpg", "d.JPEG", "e.bmp", "f.tga",     "g.ppm", "h.pgm",
+        "i.pfm", "j.txt",  "k",     "png",    ".png",  "l.png.bak", "m.exr", "n.png~",
+        "o.TIF", "p.webp", "q.gif", "r.pam",  "s.hdr", "t.pbm"}) {
     here.add(std::string("ref/") + name);
     here.add(std::string("out/") + name);
   }
   CHECK(summary(here.pairs()) == Lines{"a.png ++", "b.PNG ++", "c.Jpg ++", "d.JPEG ++", "e.bmp ++",
-                                       "f.tga ++", "g.ppm ++", "h.pgm ++", "i.pfm ++"});
+                                       "f.tga ++", "g.ppm ++", "h.pgm ++", "i.pfm ++", "m.exr ++",
+                                       "o.TIF ++", "p.webp ++", "q.gif ++", "r.pam ++", "s.hdr ++",
+                                       "t.pbm ++"});
+}
+
+TEST_CASE("a file whose name is not that of a picture is one by its bytes") {
+  const TwoFolders here;
+  const std::vector<std::pair<std::string, std::string>> pictures{
+      {"a", "\x89PNG\r\n\x1a\nand more"}, {"b.dat", "\xff\xd8\xff\xe0"},
+      {"c.1", "P6 1 1 255\nabc"},         {"d.x", "P3 1 1 255 1 2 3"},
+      {"e", std::string("II*\0", 4)},     {"f", "GIF89a"}};
+  const std::vector<std::pair<std::string, std::string>> others{
+      {"x1.txt", "P3 is a format of text"},
+      {"x2", "BMW and other cars"},
+      {"x3.md", "Pfund"},
+      {"x4", "P6"},
+      {"x5.html", "<html>"},
+      {"x6.json", "{}"}};
+  for (const auto& [name, bytes] : pictures) here.add("ref/" + name, bytes);
+  for (const auto& [name, bytes] : others) here.add("ref/" + name, bytes);
+  here.add("out/a.png");
+  CHECK(summary(here.pairs()) ==
+        Lines{"a +-", "a.png -+", "b.dat +-", "c.1 +-", "d.x +-", "e +-", "f +-"});
 }
 
 TEST_CASE("names that differ in case or extension are two pictures") {
