@@ -44,7 +44,7 @@ void add_picture_choice(CLI::App& command, PictureChoice& choice) {
   command
       .add_option("PICTURES", choice.path,
                   "a folder with pictures, or its file of cameras: *_par.txt, or COLMAP's "
-                  "cameras.txt and images.txt")
+                  "cameras and images (.bin or .txt), also in sparse/0")
       ->required();
   command
       .add_option_function<std::string>(
@@ -84,7 +84,8 @@ Result<void> check_choice(const PictureChoice& choice) {
   return {};
 }
 
-Result<ChosenPictures> read_pictures(const PictureChoice& choice) {
+Result<ChosenPictures> read_pictures(const PictureChoice& choice, Progress& progress) {
+  progress.phase("reading the pictures");
   views::PictureSetOptions options;
   options.wants_mattes = !choice.no_mattes;
   options.matte_above = choice.matte_above;
@@ -98,6 +99,7 @@ Result<ChosenPictures> read_pictures(const PictureChoice& choice) {
   }
   auto set = views::read_picture_set(choice.path, options);
   if (!set) return tl::unexpected(set.error());
+  for (const std::string& warning : set->warnings) progress.print_line("warning: " + warning);
   ChosenPictures all{std::move(*set), {}};
   if (!choice.leave_out) return all;
   auto& pictures = all.set.pictures;

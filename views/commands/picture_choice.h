@@ -12,6 +12,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "cli/options/cli_fwd.h"
+#include "cli/report/progress.h"
 #include "views/rings/picture_set.h"
 #include "views/texture/textured_surface.h"
 
@@ -39,7 +40,8 @@ void add_picture_choice(CLI::App& command, PictureChoice& choice);
 // Refuses options that contradict each other.
 Result<void> check_choice(const PictureChoice& choice);
 
-Result<ChosenPictures> read_pictures(const PictureChoice& choice);
+// Reads the pictures as a phase of a command's progress, and prints their warnings there.
+Result<ChosenPictures> read_pictures(const PictureChoice& choice, Progress& progress);
 
 // An error if `what` takes more bytes than --max-mb allows. `place` names the option that decides
 // the number of bytes.

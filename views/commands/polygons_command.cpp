@@ -247,8 +247,7 @@ int ViewsPolygonsCommand::run() {
     if (!legal) return refuse(legal.error());
   }
   Progress progress;
-  progress.phase("reading the pictures");
-  auto pictures = read_pictures(choice_);
+  auto pictures = read_pictures(choice_, progress);
   if (!pictures) return refuse(pictures.error());
   PolygonsInput input{std::move(*pictures), {}};
   if (const auto legal = complete_request(input.pictures.set); !legal) return refuse(legal.error());

@@ -410,8 +410,7 @@ int ViewsTextureCommand::run() {
   Progress progress;
   const auto scene = load_scene_argument(mesh_, progress);
   if (!scene) return refuse(scene.error());
-  progress.phase("reading the pictures");
-  const auto pictures = read_pictures(choice_);
+  const auto pictures = read_pictures(choice_, progress);
   if (!pictures) return refuse(pictures.error());
   if (each_ && pictures->set.pictures.size() == 1)
     return refuse(

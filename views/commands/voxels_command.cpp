@@ -288,8 +288,7 @@ void ViewsVoxelsCommand::print_unused_options() const {
 }
 
 Result<VoxelsInput> ViewsVoxelsCommand::read(Progress& progress) const {
-  progress.phase("reading the pictures");
-  auto pictures = read_pictures(choice_);
+  auto pictures = read_pictures(choice_, progress);
   if (!pictures) return tl::unexpected(pictures.error());
   VoxelsInput input;
   input.set = std::move(pictures->set);

@@ -64,7 +64,7 @@ Result<NamedCamera> camera_of_row(const NumberRow& row) {
   const auto rotation = rotation_of(matrix_at(row.numbers, 9), place);
   if (!rotation) return tl::unexpected(rotation.error());
   const Vector3d shift(row.numbers[18], row.numbers[19], row.numbers[20]);
-  return NamedCamera{row.name, {k / k(2, 2), *rotation, -rotation->transpose() * shift}};
+  return NamedCamera{row.name, {k / k(2, 2), *rotation, -rotation->transpose() * shift}, {}};
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ Result<std::vector<NamedCamera>> parse_cameras(std::string_view text) {
 
 std::string cameras_text(const std::vector<NamedCamera>& cameras) {
   std::string text = fmt::format("{}\n", cameras.size());
-  for (const auto& [picture, camera] : cameras) {
+  for (const auto& [picture, camera, size] : cameras) {
     text += picture;
     const auto add = [&](const Matrix3d& matrix) {
       for (int i = 0; i < 9; ++i) text += fmt::format(" {}", matrix(i / 3, i % 3));

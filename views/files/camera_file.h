@@ -3,11 +3,13 @@
 // numbers. A world point X is at the pixel K (R X + t).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <glassbox/base/error.h>
+#include <glassbox/images/decode.h>
 
 #include "views/two_view/camera.h"
 
@@ -16,6 +18,7 @@ namespace glassbox::views {
 struct NamedCamera {
   std::string picture;
   PinholeCamera camera;
+  std::optional<ImageSize> size = {};  // of the picture, where the file has it; not in this format
 };
 
 // Refused: a number of cameras other than the first line says, a K that is singular or not upper

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <span>
 
 #include <fmt/format.h>
@@ -42,14 +43,63 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-// Finds the camera file of a folder.
-Result<fs::path> camera_file_in(const fs::path& folder) {
+// Where the cameras of a set of pictures are.
+struct CameraFiles {
+  fs::path cameras;  // what messages name
+  fs::path images;   // COLMAP's other file; empty for Middlebury's
+  fs::path root;     // the folder that has the pictures, masks and box.txt
+  std::vector<std::string> warnings;
+
+  bool is_colmap() const { return !images.empty(); }
+};
+
+// The folder with sparse/ in it where COLMAP's model is in sparse/ or sparse/N and the pictures are
+// in images/ beside sparse/; otherwise the folder itself.
+fs::path root_of_model(const fs::path& folder) {
+  std::error_code error;
+  const fs::path whole = fs::canonical(folder.empty() ? "." : folder, error);
+  for (const fs::path& sparse : {whole, whole.parent_path()}) {
+    const fs::path root = sparse.parent_path();
+    if (sparse.filename() == "sparse" && fs::is_directory(root / "images", error)) return root;
+  }
+  return folder;
+}
+
+// COLMAP's two files in a folder. Binary ones come first, as COLMAP itself does it.
+std::optional<CameraFiles> colmap_in(const fs::path& folder) {
+  for (const char* extension : {".bin", ".txt"}) {
+    const fs::path cameras = folder / (std::string("cameras") + extension);
+    const fs::path images = folder / (std::string("images") + extension);
+    if (is_file(cameras) && is_file(images)) {
+      return CameraFiles{cameras, images, root_of_model(folder), {}};
+    }
+  }
+  return std::nullopt;
+}
+
+// A folder with several models is noted.
+std::optional<CameraFiles> colmap_below(const fs::path& folder) {
+  const fs::path sparse = folder / "sparse";
+  for (const fs::path& place : {folder, sparse / "0", sparse, folder / "0"}) {
+    auto found = colmap_in(place);
+    if (!found) continue;
+    if (place.filename() == "0" && fs::exists(place.parent_path() / "1")) {
+      found->warnings.push_back(
+          "there are several models of COLMAP; the one in the folder 0 is read");
+    }
+    return found;
+  }
+  return std::nullopt;
+}
+
+// Finds the cameras of a folder.
+Result<CameraFiles> cameras_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().filename().string().ends_with(kMiddlebury)) found.push_back(entry.path());
   }
-  if (found.size() == 1) return found.front();
+  if (found.size() == 1) return CameraFiles{found.front(), {}, folder, {}};
   if (found.size() > 1) {
     return tl::unexpected(Error{
         folder.string(), "",
@@ -57,23 +107,51 @@ Result<fs::path> camera_file_in(const fs::path& folder) {
                     found.size()),
         "name one of these files instead of the folder"});
   }
-  if (is_file(folder / "cameras.txt") && is_file(folder / "images.txt"))
-    return folder / "cameras.txt";
+  if (auto model = colmap_below(folder)) return std::move(*model);
   return tl::unexpected(
-      Error{folder.string(), "", "has no cameras: neither *_par.txt nor cameras.txt and images.txt",
+      Error{folder.string(), "",
+            "has no cameras: neither *_par.txt nor COLMAP's cameras and images "
+            "(.bin or .txt), also not in sparse/0",
             "a folder with cameras is made by: glassbox views ring SCENE -o DIR"});
 }
 
-Result<std::vector<NamedCamera>> cameras_of(const fs::path& file) {
-  const auto text = text_of(file);
-  if (!text) return tl::unexpected(text.error());
-  if (file.filename() != "cameras.txt" && file.filename() != "images.txt")
-    return with_file(parse_cameras(*text), file.string());
-  const auto cameras = text_of(file.parent_path() / "cameras.txt");
+// The cameras of a file: one of COLMAP's, named by any of its files, or one of Middlebury's.
+Result<CameraFiles> cameras_of_file(const fs::path& file) {
+  const fs::path folder = file.parent_path();
+  const std::string stem = file.stem().string(), extension = file.extension().string();
+  const bool is_model = stem == "cameras" || stem == "images" || stem == "points3D";
+  if (!is_model || (extension != ".bin" && extension != ".txt")) {
+    return CameraFiles{file, {}, folder, {}};
+  }
+  return CameraFiles{
+      folder / ("cameras" + extension), folder / ("images" + extension), root_of_model(folder), {}};
+}
+
+Result<std::vector<std::byte>> bytes_of_file(const fs::path& path) {
+  return read_file(path.string(), kMaxText);
+}
+
+Result<ColmapModel> read_model(const CameraFiles& files) {
+  const auto cameras = bytes_of_file(files.cameras);
   if (!cameras) return tl::unexpected(cameras.error());
-  const auto images = text_of(file.parent_path() / "images.txt");
+  const auto images = bytes_of_file(files.images);
   if (!images) return tl::unexpected(images.error());
-  return with_file(parse_colmap(*cameras, *images), file.parent_path().string());
+  const auto text = [](const std::vector<std::byte>& bytes) {
+    return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  };
+  const bool binary = files.cameras.extension() == ".bin";
+  return with_file(
+      binary ? parse_colmap_binary(*cameras, *images) : parse_colmap(text(*cameras), text(*images)),
+      files.cameras.parent_path().string());
+}
+
+Result<ColmapModel> model_of(const CameraFiles& files) {
+  if (files.is_colmap()) return read_model(files);
+  const auto text = text_of(files.cameras);
+  if (!text) return tl::unexpected(text.error());
+  return with_file(parse_cameras(*text), files.cameras.string()).map([](auto cameras) {
+    return ColmapModel{std::move(cameras), {}};
+  });
 }
 
 Result<std::vector<NamedCamera>> select_cameras(std::vector<NamedCamera> all,
@@ -110,10 +188,11 @@ std::uint64_t pixels_in(const fs::path& path) {
 
 class Reader {
 public:
-  Reader(const fs::path& file, const PictureSetOptions& options)
+  Reader(const CameraFiles& files, const PictureSetOptions& options)
       : options_(options),
-        directory_(file, "camera", options.most_bytes),
-        folder_(file.parent_path()),
+        directory_(files.root / "cameras", "camera", options.most_bytes),
+        folder_(files.root),
+        orientation_(files.is_colmap() ? Orientation::kStored : Orientation::kUpright),
         bytes_left_(options.most_bytes) {}
 
   Result<CalibratedPicture> read(const NamedCamera& named) {
@@ -124,6 +203,9 @@ public:
     auto color = decode(*path);
     if (!color) return tl::unexpected(color.error());
     picture.color = std::move(*color);
+    if (const auto fits = check_size(named, picture.color, *path); !fits) {
+      return tl::unexpected(fits.error());
+    }
     if (options_.wants_mattes) {
       if (const auto added = add_matte(picture); !added) return tl::unexpected(added.error());
     }
@@ -135,7 +217,7 @@ private:
   Result<Image<Rgba8>> decode(const fs::path& path) {
     DecodeLimits limits;
     limits.max_pixels = std::min<std::uint64_t>(limits.max_pixels, bytes_left_ / sizeof(Rgba8));
-    auto image = read_image(path.string(), limits);
+    auto image = read_image(path.string(), limits, orientation_);
     if (image) {
       bytes_left_ -= sizeof(Rgba8) * image->pixels.size();
     } else if (pixels_in(path) > bytes_left_ / sizeof(Rgba8)) {
@@ -146,6 +228,22 @@ private:
                 "allow more with --max-mb, or choose fewer pictures"});
     }
     return image;
+  }
+
+  // A camera counts in the pixels of the pictures that it was computed from. Smaller ones could be
+  // scaled or cut out of these, and the camera would be another one.
+  static Result<void> check_size(const NamedCamera& named, const Image<Rgba8>& color,
+                                 const fs::path& path) {
+    if (!named.size || (named.size->width == std::uint32_t(color.width) &&
+                        named.size->height == std::uint32_t(color.height))) {
+      return {};
+    }
+    return tl::unexpected(
+        Error{path.string(), "",
+              fmt::format("is {} x {}, but its camera is one for {} x {} pixels", color.width,
+                          color.height, named.size->width, named.size->height),
+              "give the pictures that the model was computed from, or let COLMAP scale model and "
+              "pictures together (colmap image_undistorter --max_image_size N)"});
   }
 
   Result<void> add_matte(CalibratedPicture& picture) {
@@ -182,6 +280,7 @@ private:
   const PictureSetOptions& options_;
   obj::Directory directory_;
   fs::path folder_;
+  Orientation orientation_;
   std::uint64_t bytes_left_;
 };
 
@@ -252,30 +351,28 @@ Result<WorldBox> parse_box(std::string_view text) {
 
 Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOptions& options) {
   std::error_code error;
-  fs::path file = path;
-  if (fs::is_directory(file, error)) {
-    const auto found = camera_file_in(file);
-    if (!found) return tl::unexpected(found.error());
-    file = *found;
-  }
-  auto all = cameras_of(file);
-  if (!all) return tl::unexpected(all.error());
-  const auto cameras = select_cameras(std::move(*all), file.string(), options.chosen);
+  auto files = fs::is_directory(path, error) ? cameras_in(path) : cameras_of_file(path);
+  if (!files) return tl::unexpected(files.error());
+  const std::string file = files->cameras.string();
+  auto model = model_of(*files);
+  if (!model) return tl::unexpected(model.error());
+  const auto cameras = select_cameras(std::move(model->cameras), file, options.chosen);
   if (!cameras) return tl::unexpected(cameras.error());
   if (cameras->empty() || cameras->size() > std::size_t(kMaxRingViews)) {
     return tl::unexpected(Error{
-        file.string(), "",
+        file, "",
         fmt::format("has {} cameras, but 1 to {} are possible", cameras->size(), kMaxRingViews),
         "choose fewer cameras, but at least one"});
   }
-  PictureSet set{file.string(), {}, {}};
-  Reader reader(file, options);
+  PictureSet set{file, {}, {}, std::move(files->warnings)};
+  std::ranges::move(model->warnings, std::back_inserter(set.warnings));
+  Reader reader(*files, options);
   for (const NamedCamera& camera : *cameras) {
     auto picture = reader.read(camera);
     if (!picture) return tl::unexpected(picture.error());
     set.pictures.push_back(std::move(*picture));
   }
-  const fs::path box = file.parent_path() / kBoxFile;
+  const fs::path box = files->root / kBoxFile;
   if (is_file(box)) {
     const auto text = text_of(box);
     if (!text) return tl::unexpected(text.error());
@@ -325,7 +422,7 @@ Result<void> PictureSetWriter::add(const CalibratedPicture& picture) {
     const auto written = write_image(mask.string(), grey_of(picture.matte));
     if (!written) return written;
   }
-  cameras_.push_back({picture.name, picture.camera});
+  cameras_.push_back({picture.name, picture.camera, {}});
   return {};
 }
 

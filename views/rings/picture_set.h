@@ -26,7 +26,8 @@ struct CalibratedPicture {
 struct PictureSet {
   std::string source;  // the file with the cameras
   std::vector<CalibratedPicture> pictures;
-  std::optional<WorldBox> box;  // from a file box.txt beside the cameras
+  std::optional<WorldBox> box;  // from a file box.txt beside the pictures' folders
+  std::vector<std::string> warnings;
 };
 
 // Bytes that the pixels and mattes occupy.
@@ -47,12 +48,15 @@ struct PictureSetOptions {
   std::uint64_t most_bytes = std::uint64_t(1) << 32;  // of all decoded pictures
 };
 
-// `path` is a folder with one file *_par.txt, or with cameras.txt and images.txt of COLMAP, or one
-// of these files. Pictures are in the same folder or below it (images/ too), mattes in masks/ under
-// the same names. Refused: cameras that parse_cameras or parse_colmap refuses, pictures that are
-// missing or outside of the folder, mattes of another size than their picture, fewer than one
-// camera or more than kMaxRingViews, and pictures that would need more than `most_bytes` (checked
-// before they are decoded).
+// `path` is a folder with one file *_par.txt, or with a model of COLMAP (cameras and images, both
+// .bin or both .txt) in it, in sparse/0 or in sparse; or it is one of these files. Pictures are in
+// the same folder or below it (images/ too), mattes in masks/ under the same names; for a model
+// below sparse/, the folder is the one with sparse/ in it. Of a JPEG of COLMAP's, the pixels are
+// taken as stored, because COLMAP ignores the orientation in its Exif data. Refused: cameras that
+// parse_cameras or parse_colmap refuses, pictures that are missing, outside of the folder, or of
+// another size than COLMAP's lens, mattes of another size than their picture, fewer than one camera
+// or more than kMaxRingViews, and pictures that would need more than `most_bytes` (checked before
+// they are decoded).
 Result<PictureSet> read_picture_set(const std::string& path, const PictureSetOptions& options);
 
 // A matte in which pixel i belongs to the object if is_object(i) is true.

@@ -8,7 +8,6 @@
 
 #include "tests/images/temporary_directory.h"
 #include "tests/views/voxels/rig.h"
-#include "views/files/colmap_file.h"
 
 namespace glassbox::views {
 namespace {
@@ -172,47 +171,6 @@ TEST_CASE("pictures and masks that do not fit their cameras are refused, with th
   std::filesystem::remove(folder + "/ring_par.txt");
   CHECK(refusal(read_picture_set(folder, {})).find("has no cameras") != std::string::npos);
   CHECK_FALSE(read_picture_set(directory.file("nowhere"), {}));
-}
-
-TEST_CASE("COLMAP's text files give the cameras that they describe") {
-  const std::string cameras =
-      "# comment\n1 PINHOLE 640 480 500 510 320 240\n2 SIMPLE_PINHOLE 64 48 50 32 24\n"
-      "3 SIMPLE_RADIAL 64 48 50 32 24 0.1\n4 FISHEYE 64 48 50 32 24\n5 PINHOLE 64 48 0 50 32 24\n";
-  const auto two = cameras.substr(0, cameras.find("3 SIMPLE"));
-  const auto read = parse_colmap(two,
-                                 "# two lines each\n"
-                                 "7 0.7071067811865476 0 0.7071067811865476 0 1 2 3 1 b.png\n"
-                                 "10 10 -1 20 20 3\n"
-                                 "2 1 0 0 0 0 0 4 2 a.png\n\n");
-  REQUIRE(read);
-  REQUIRE(read->size() == 2);
-  CHECK((*read)[0].picture == "a.png");
-  CHECK((*read)[0].camera.intrinsic(0, 0) == 50);
-  CHECK((*read)[0].camera.centre == Vector3d(0, 0, -4));
-  // A quarter turn about y turns the world's z into the camera's x.
-  const PinholeCamera& turned = (*read)[1].camera;
-  CHECK(turned.intrinsic(1, 1) == 510);
-  CHECK((turned.camera_from_world * Vector3d::UnitZ() - Vector3d::UnitX()).norm() < 1e-15);
-  CHECK((turned.camera_from_world * turned.centre + Vector3d(1, 2, 3)).norm() < 1e-14);
-
-  const auto refused = [&](const std::string& lens_text, const std::string& image_text) {
-    return refusal(parse_colmap(lens_text, image_text));
-  };
-  const std::string image = "1 1 0 0 0 0 0 4 ";
-  CHECK(refused(cameras, "").find("the camera has distortion") != std::string::npos);
-  CHECK(refused("4 FISHEYE 64 48 50 32 24\n", "").find("'FISHEYE' is not a pinhole model") !=
-        std::string::npos);
-  CHECK(refused("5 PINHOLE 64 48 0 50 32 24\n", "").find("a focal length is not positive") !=
-        std::string::npos);
-  CHECK(refused("5 PINHOLE 64 48 50\n", "").find("has 5 of the 8 words") != std::string::npos);
-  CHECK(refused(two + two, "").find("another camera has the same number") != std::string::npos);
-  CHECK(refused(two, image + "9 a.png\n\n").find("no camera with the number") != std::string::npos);
-  CHECK(refused(two, "1 2 0 0 0 0 0 4 1 a.png\n\n").find("length of the quaternion is 2") !=
-        std::string::npos);
-  CHECK(refused(two, "1 1 0 nan 0 0 0 4 1 a.png\n\n").find("'nan' is not a number") !=
-        std::string::npos);
-  CHECK(refused(two, image + "1 a.png\n\n" + image + "1 a.png\n\n")
-            .find("two pictures have the name") != std::string::npos);
 }
 
 }  // namespace glassbox::views
