@@ -19,6 +19,7 @@
 #include "cli/report/output.h"
 #include "cli/report/progress.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/elapsed.h>
 #include <glassbox/images/recipe.h>
 #include <glassbox/images/write.h>
@@ -229,20 +230,21 @@ private:
     }
     if (nothing > 0) {
       progress_.print_line(
-          fmt::format("note: no part of the scene is in view in {} of the frames", nothing));
+          fmt::format("note: no part of the scene is in view in {}", counted(nothing, "frame")));
     }
     if (flat > 0) {
       progress_.print_line(fmt::format(
-          "note: in {} of the frames the eye separation is less than a hundredth of the path's "
-          "largest; in frame {} something is only {:.3g} world units in front of the camera",
-          flat, flattest->number, flattest->seen->nearest));
+          "note: in {} the eye separation is less than a hundredth of its largest value along the "
+          "path; in frame {} something is only {:.3g} world units in front of the camera",
+          counted(flat, "frame"), flattest->number, flattest->seen->nearest));
     }
   }
 
   int report_stop() {
     progress_.done();
-    fmt::print(stderr, "glassbox: stopped: {} of {} frames are written\n", report_.frames.size(),
-               end_index() - first_index());
+    fmt::print(stderr, "glassbox: stopped: {} of {} {} written\n", report_.frames.size(),
+               counted(end_index() - first_index(), "frame"),
+               singular_or_plural(report_.frames.size(), "is", "are"));
     return kFailure;
   }
 

@@ -159,7 +159,7 @@ std::vector<std::string> not_asked(const std::string& because) {
 std::vector<std::string> numerical_warnings(const Scene& scene) {
   const std::uint64_t triangles = count_triangles(scene);
   if (triangles > kMaxTriangles)
-    return not_asked(fmt::format("the scene has {} triangles", triangles));
+    return not_asked("the scene has " + counted(triangles, "triangle"));
   const PictureOptions usual;
   const Result<ChosenView> chosen = choose_view(scene, usual);
   if (!chosen) return {};

@@ -33,6 +33,7 @@
 #include "cli/report/progress.h"
 #include "cli/report/stage_report.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/elapsed.h>
 #include <glassbox/base/error.h>
 #include <glassbox/base/printable.h>
@@ -392,7 +393,7 @@ int RenderCommand::run() {
          "leave --id-out out, or split the scene"});
   }
 
-  progress.phase(fmt::format("rendering {} triangles", count_triangles(*scene)));
+  progress.phase("rendering " + counted(count_triangles(*scene), "triangle"));
   Renderer renderer = make_renderer(*scene, picture_.settings, engine_);
   const Result<DrawnPicture> drawn = draw(*scene, renderer);
   if (!drawn) return refuse(drawn.error());
@@ -497,9 +498,10 @@ int RenderCommand::report(const std::string& image, const DrawnPicture& drawn,
   std::FILE* const out = image == "-" ? stderr : stdout;
   if (stats_) fmt::print(out, "{}", stats_text(drawn, times));
   if (image == "-") return kSuccess;
-  fmt::print("{} ({} x {}): {} triangles, {:.0f} ms\n{}", printable(image, kLongestMessage),
-             drawn.image.width, drawn.image.height, drawn.stages.front().second.triangles,
-             times.total_ms, drawn.eyes_text);
+  fmt::print("{} ({} x {}): {}, {:.0f} ms\n{}", printable(image, kLongestMessage),
+             drawn.image.width, drawn.image.height,
+             counted(drawn.stages.front().second.triangles, "triangle"), times.total_ms,
+             drawn.eyes_text);
   return kSuccess;
 }
 

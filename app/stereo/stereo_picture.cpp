@@ -12,6 +12,7 @@
 #include "cli/options/choices.h"
 #include "cli/report/number_json.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/pipeline/stereo/parallax.h>
 
 namespace glassbox::app {
@@ -303,9 +304,8 @@ std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering
         "  a parallel projection: both views are oblique, and parallax grows linearly with depth\n";
   }
   if (rendering.lost > 0) {
-    text += fmt::format(
-        "  culling by the camera between the eyes lost {} triangles that an eye can see\n",
-        rendering.lost);
+    text += fmt::format("  culling by the camera between the eyes lost {} that an eye can see\n",
+                        counted(rendering.lost, "triangle"));
   }
   return text;
 }

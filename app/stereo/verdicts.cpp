@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::app {
@@ -150,12 +151,13 @@ Verdict about_one_eye(const StereoFindings& found) {
 
 Verdict about_culling(const StereoFindings& found) {
   const CullingFindings& lost = found.culling;
-  return {"centre culling", Level::kFact,
-          lost.triangles == 0
-              ? "culling by the camera between the eyes would lose nothing here"
-              : fmt::format("culling by the camera between the eyes would lose {} triangles: {} px "
-                            "of the left picture, {} px of the right one",
-                            lost.triangles, lost.pixels.left, lost.pixels.right)};
+  return {
+      "centre culling", Level::kFact,
+      lost.triangles == 0
+          ? "culling by the camera between the eyes would lose nothing here"
+          : fmt::format("culling by the camera between the eyes would lose {}: {} px "
+                        "of the left picture, {} px of the right one",
+                        counted(lost.triangles, "triangle"), lost.pixels.left, lost.pixels.right)};
 }
 
 Verdict about_cost(const StereoFindings& found) {

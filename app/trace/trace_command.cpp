@@ -249,7 +249,7 @@ Result<void> TraceCommand::check_filter(const Scene& scene) const {
   }
   if (filter_.instance && *filter_.instance >= scene.instances.size()) {
     return fail(fmt::format("--instance {}", *filter_.instance),
-                fmt::format("the scene has {} instances", scene.instances.size()),
+                "the scene has " + counted(scene.instances.size(), "instance"),
                 "they are numbered from 0");
   }
   return {};

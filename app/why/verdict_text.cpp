@@ -63,7 +63,8 @@ std::string pieces_text(const TriangleVerdict& verdict) {
   }
   const int pieces =
       verdict.pieces_set_up + verdict.pieces_turned_away + verdict.pieces_without_area;
-  return fmt::format("Clipping cut it into {} pieces: {}.", pieces, list_in_words(parts));
+  return fmt::format("Clipping cut it into {}: {}.", counted(pieces, "piece"),
+                     list_in_words(parts));
 }
 
 // ---- fragments ----
@@ -79,8 +80,7 @@ std::string occluders_text(const std::vector<Occluder>& occluders) {
     texts.push_back(
         fmt::format("{} ({})", occluder_text(occluders[i].number), occluders[i].pixels));
   }
-  if (occluders.size() > kShown)
-    texts.push_back(fmt::format("{} others", occluders.size() - kShown));
+  if (occluders.size() > kShown) texts.push_back(counted(occluders.size() - kShown, "other"));
   return list_in_words(texts);
 }
 
@@ -94,8 +94,8 @@ std::string closest_text(const FragmentDetails::Hidden& h) {
                        h.code, h.distance, h.stored_distance);
   }
   return where + fmt::format(
-                     "depth code 0x{:08x} is not below 0x{:08x}, by {} codes; distance {:.9g} "
-                     "behind {:.9g}.",
+                     "depth code 0x{:08x} is larger than 0x{:08x} by {}, and the distance {:.9g} "
+                     "is behind {:.9g}.",
                      h.code, h.stored, h.code - h.stored, h.distance, h.stored_distance);
 }
 

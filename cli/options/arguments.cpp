@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/images/srgb.h>
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/trace/numbering.h>
@@ -98,7 +99,7 @@ PixelPosition parse_pixel(const std::string& option, const std::string& text) {
 Result<void> check_triangle(const std::string& what, const Scene& scene, std::uint32_t number) {
   if (find_triangle(scene, number)) return {};
   return fail(fmt::format("{} {}", what, number),
-              fmt::format("the scene has {} triangles", count_triangles(scene)),
+              "the scene has " + counted(count_triangles(scene), "triangle"),
               "they are numbered from 0");
 }
 

@@ -28,6 +28,7 @@
 #include "labs/grading/results.h"
 #include "labs/grading/submission.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::labs {
@@ -309,8 +310,10 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
     if (!begun) return refuse(begun.error());
   }
   if (chosen.size() < all.size())
-    fmt::print(stderr, "{} of {} submissions already have their results\n",
-               all.size() - chosen.size(), all.size());
+    fmt::print(stderr, "{} of {} already {} a result, and {} skipped\n", all.size() - chosen.size(),
+               counted(all.size(), "submission"),
+               singular_or_plural(all.size() - chosen.size(), "has", "have"),
+               singular_or_plural(all.size() - chosen.size(), "is", "are"));
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
   const auto sandbox = Sandbox::choose(*place, confinement_);
@@ -361,8 +364,9 @@ int LabGradeCommand::run_collect(const fs::path& results) const {
   fmt::print("{} and {} have the details\n", (results / kTableOfClass).string(),
              (results / kPageOfClass).string());
   if (unfinished == 0) return kSuccess;
-  fmt::print(stderr, "{} of {} gradings did not finish; run lab grade --resume to finish them\n",
-             unfinished, rows->size());
+  fmt::print(stderr,
+             "the grading of {} of {} did not finish; run lab grade --resume to finish it\n",
+             unfinished, counted(rows->size(), "submission"));
   return kFailure;
 }
 

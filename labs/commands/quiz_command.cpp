@@ -13,6 +13,7 @@
 #include "labs/commands/find_lab.h"
 #include "labs/quiz/quiz.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::labs {
@@ -76,7 +77,8 @@ int grade(const Quiz& quiz, const std::vector<bool>& answers) {
       print_answer(i + 1, question);
     }
   }
-  fmt::print("{} of {} answers are right\n", right, answers.size());
+  fmt::print("{} of {} answers {} right\n", right, answers.size(),
+             singular_or_plural(right, "is", "are"));
   return right == answers.size() ? kSuccess : kFailure;
 }
 

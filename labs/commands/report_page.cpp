@@ -10,6 +10,7 @@
 #include "labs/framework/divergence_text.h"
 #include "labs/framework/slips.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/html/blob.h>
 #include <glassbox/html/escaped_html.h>
 #include <glassbox/images/write.h>
@@ -66,8 +67,10 @@ std::string divergence_rows(const Divergence& found) {
 
 Result<std::string> failure_html(const LabReport& report, const CheckResult& check) {
   const FirstFailure& first = *check.first;
-  std::string html = "<table>\n" + row("case", fmt::format("{} {}", first.index, first.where)) +
-                     row("verdict", outcome_text(report, check));
+  std::string html =
+      "<table>\n" +
+      row("case", std::to_string(first.index) + (first.where.empty() ? "" : ": " + first.where)) +
+      row("verdict", outcome_text(report, check));
   if (first.verdict == labs::Verdict::kUntouched) return html + "</table>\n";
   if (!first.text.empty()) html += row("explanation", first.text);
   if (first.divergence) html += divergence_rows(*first.divergence);
@@ -124,11 +127,11 @@ Result<std::string> lab_report_page(const LabReport& report) {
             escaped_html(result.not_built) + "</pre></section>\n";
   for (const CheckResult& check : result.checks) {
     html += fmt::format(
-        "<section class={}>\n<h2>{}</h2>\n<p class=quiet>task {}, stage {}{}: {} of {} cases "
-        "right{}, {} points</p>\n",
+        "<section class={}>\n<h2>{}</h2>\n<p class=quiet>task {}, stage {}{}: {} of {} right{}, {} "
+        "points</p>\n",
         check.right == check.cases.size() ? "right" : "wrong", escaped_html(check.name),
         escaped_html(check.task), escaped_html(check.stage), check.hidden ? ", hidden" : "",
-        check.right, check.cases.size(), all_or_nothing_note(check),
+        check.right, counted(check.cases.size(), "case"), all_or_nothing_note(check),
         points_text(check.score, check.max_score));
     if (check.first) {
       const auto failure = failure_html(report, check);

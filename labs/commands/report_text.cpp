@@ -10,6 +10,7 @@
 #include "labs/framework/divergence_text.h"
 #include "labs/framework/slips.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::labs {
@@ -31,7 +32,7 @@ std::string quoted_lines(const std::string& indent, const std::string& text, std
   for (std::size_t i = 0; i < std::min(lines.size(), most); ++i)
     quoted += indent + printable(lines[i], 400) + "\n";
   if (lines.size() > most)
-    quoted += fmt::format("{}... and {} more lines\n", indent, lines.size() - most);
+    quoted += fmt::format("{}... and {}\n", indent, counted(lines.size() - most, "more line"));
   return quoted;
 }
 
@@ -76,9 +77,10 @@ std::string printed_text(const CheckResult& check) {
 }
 
 std::string check_text(const LabReport& report, const CheckResult& check) {
-  std::string text = fmt::format("\n{} (task {}, stage {}{}): {} of {} cases right{}\n", check.name,
-                                 check.task, check.stage, check.hidden ? ", hidden" : "",
-                                 check.right, check.cases.size(), all_or_nothing_note(check));
+  std::string text =
+      fmt::format("\n{} (task {}, stage {}{}): {} of {} right{}\n", check.name, check.task,
+                  check.stage, check.hidden ? ", hidden" : "", check.right,
+                  counted(check.cases.size(), "case"), all_or_nothing_note(check));
   if (check.first) text += failure_text(report, check);
   return text + printed_text(check);
 }

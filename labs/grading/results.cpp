@@ -9,6 +9,8 @@
 #include "labs/framework/divergence_text.h"
 #include "labs/framework/slips.h"
 
+#include <glassbox/base/counted.h>
+
 namespace glassbox::labs::grading {
 
 namespace {
@@ -81,8 +83,9 @@ Json test_json(const CheckResult& check, const std::string& name, const std::str
 
 // Describes the first case that is not right, and what may be the reason.
 std::string failure_text(const CheckResult& check, const std::string& name) {
-  std::string text = fmt::format("{}: {} of {} cases are right{}.\n", name, check.right,
-                                 check.cases.size(), all_or_nothing_note(check));
+  std::string text = fmt::format(
+      "{}: {} of {} {} right{}.\n", name, check.right, counted(check.cases.size(), "case"),
+      singular_or_plural(check.right, "is", "are"), all_or_nothing_note(check));
   if (const auto& first = check.first) {
     text += fmt::format("The first case that is not right: case {}", first->index);
     if (!first->where.empty()) text += fmt::format(" ({})", first->where);
@@ -103,7 +106,8 @@ std::string explanation(const CheckResult& check, const std::string& name) {
   if (check.verdict == Verdict::kUntouched) {
     text = "Not written yet: every answer is the same as the starter's.\n";
   } else if (check.verdict == Verdict::kRight) {
-    text = fmt::format("All {} cases are right.\n", check.cases.size());
+    text = check.cases.size() == 1 ? "The only case is right.\n"
+                                   : fmt::format("All {} cases are right.\n", check.cases.size());
   } else {
     text = failure_text(check, name);
   }

@@ -136,7 +136,8 @@ std::vector<bool> set_normals(Asset& asset, Mesh& mesh, const Vertices& vertices
              : Normal<Object>(0, 0, 1));
   }
   if (without_direction > 0) {
-    asset.warn_at(place, "{} normals of length zero were left out; their corners are shaded flat",
+    asset.warn_at(place,
+                  "normals of length zero were left out ({}); corners with them are shaded flat",
                   without_direction);
   }
   return usable;
@@ -240,7 +241,8 @@ void connect(Asset& asset, Mesh& mesh, int mode, std::size_t n, const CornerOf& 
   const auto leftover = [&](std::size_t per_shape) {
     if (n % per_shape != 0)
       asset.warn_at(place,
-                    "{} vertices at its end are too few for a triangle or line and were left out",
+                    "vertices at its end were left out ({}), because they are too few for one more "
+                    "triangle or line",
                     n % per_shape);
   };
   const auto add_line = [&](std::size_t a, std::size_t b) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <system_error>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/utf8.h>
 
 namespace glassbox::obj {
@@ -140,15 +141,15 @@ void Warnings::add(std::string text) {
 }
 
 std::vector<std::string> Warnings::take() {
-  if (dropped_ > 0) kept_.push_back("and " + std::to_string(dropped_) + " more warnings");
+  if (dropped_ > 0) kept_.push_back("and " + counted(dropped_, "more warning"));
   dropped_ = 0;
   return std::move(kept_);
 }
 
-void OccurrenceCount::report(const char* what, Warnings& warnings, const char* where) const {
+void OccurrenceCount::report(std::string_view one, std::string_view many, Warnings& warnings,
+                             const char* where) const {
   if (count_ == 0) return;
-  warnings.add(std::to_string(count_) + " " + what + " (first" + where + " " +
-               std::to_string(first_) + ")");
+  warnings.add(counted(count_, one, many) + " (first" + where + " " + std::to_string(first_) + ")");
 }
 
 }  // namespace glassbox::obj

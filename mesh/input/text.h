@@ -87,8 +87,10 @@ public:
   void add(std::uint64_t number) {
     if (count_++ == 0) first_ = number;
   }
-  // Adds "<count> <what> (first<where> <number>)" if there were any.
-  void report(const char* what, Warnings& warnings, const char* where = " in line") const;
+  // Adds "<count> <one or many> (first<where> <number>)" if there were any: `one` is the text for
+  // one occurrence, `many` for several.
+  void report(std::string_view one, std::string_view many, Warnings& warnings,
+              const char* where = " in line") const;
 
 private:
   std::uint64_t count_ = 0;

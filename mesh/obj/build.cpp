@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/images/srgb.h>
 
 namespace glassbox::obj {
@@ -193,12 +194,15 @@ void build_meshes(const Tables& tables, MaterialMaker& materials, Scene& scene,
     scene.instances.push_back({number, 0});
   }
   if (const std::uint64_t unused = builder.unused_positions(); unused > 0) {
-    warnings.add(std::to_string(unused) + " of " + std::to_string(tables.positions.size()) +
-                 " vertices are not used and were left out");
+    warnings.add(
+        std::to_string(unused) + " of " + std::to_string(tables.positions.size()) + " vertices " +
+        singular_or_plural(unused, "is not used and was", "are not used and were") + " left out");
   }
   if (builder.lost_texcoords() > 0) {
-    warnings.add(std::to_string(builder.lost_texcoords()) +
-                 " texture coordinates are beyond the range of floats and were left out");
+    warnings.add(counted(builder.lost_texcoords(),
+                         "pair of texture coordinates is too large for floats and was",
+                         "pairs of texture coordinates are too large for floats and were") +
+                 " left out");
   }
 }
 

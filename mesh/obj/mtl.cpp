@@ -94,14 +94,15 @@ public:
       }
     }
     const std::string name = in_quotes(library_);
-    unreadable_.report(("statements of " + name + " could not be read").c_str(), warnings_);
-    stray_.report(
-        ("statements of " + name + " stand before the first newmtl and were ignored").c_str(),
-        warnings_);
-    unknown_.report(
-        ("unknown statements of " + name + " were ignored, " + first_unknown_ + " among them")
-            .c_str(),
-        warnings_);
+    unreadable_.report("statement of " + name + " could not be read",
+                       "statements of " + name + " could not be read", warnings_);
+    stray_.report("statement of " + name + " stands before the first newmtl and was ignored",
+                  "statements of " + name + " stand before the first newmtl and were ignored",
+                  warnings_);
+    unknown_.report("unknown statement of " + name + " was ignored: " + first_unknown_,
+                    "unknown statements of " + name + " were ignored, " + first_unknown_ +
+                        " among them",
+                    warnings_);
     for (const auto& [keyword, map] : left_out_) {
       warnings_.add(name + " names textures that are not drawn: " + map.written + " (" +
                     std::to_string(map.count) + ")");

@@ -318,7 +318,8 @@ private:
     }
     OccurrenceCount unreadable;
     for (const UnreadableVertex& vertex : tables_.unreadable) unreadable.add(vertex.line);
-    unreadable.report("unused vertices do not have three finite numbers", warnings_);
+    unreadable.report("unused vertex does not have three finite numbers",
+                      "unused vertices do not have three finite numbers", warnings_);
     return {};
   }
 
@@ -335,25 +336,36 @@ private:
   }
 
   void report_oddities() {
-    short_faces_.report("faces of fewer than three corners were left out", warnings_);
-    short_lines_.report("lines or points without enough vertices were left out", warnings_);
-    free_form_.report("statements of free-form curves and surfaces were ignored", warnings_);
-    weights_.report("vertex weights other than 1 were ignored: polygons do not use them",
+    short_faces_.report("face of fewer than three corners was left out",
+                        "faces of fewer than three corners were left out", warnings_);
+    short_lines_.report("line or point without enough vertices was left out",
+                        "lines or points without enough vertices were left out", warnings_);
+    free_form_.report("statement of a free-form curve or surface was ignored",
+                      "statements of free-form curves and surfaces were ignored", warnings_);
+    weights_.report("vertex weight other than 1 was ignored: polygons do not use it",
+                    "vertex weights other than 1 were ignored: polygons do not use them",
                     warnings_);
     more_numbers_.report(
+        "vertex has more numbers than x y z w or x y z r g b; the rest was ignored",
         "vertices have more numbers than x y z w or x y z r g b; the rest was ignored", warnings_);
-    odd_colors_.report("vertex colours are not numbers in [0, 1] and were clamped or left out",
-                       warnings_);
-    odd_texcoords_.report("texture coordinates are not finite numbers and were left out",
+    odd_colors_.report(
+        "vertex colour does not consist of numbers in [0, 1] and was clamped or left out",
+        "vertex colours do not consist of numbers in [0, 1] and were clamped or left out",
+        warnings_);
+    odd_texcoords_.report("pair of texture coordinates is not finite and was left out",
+                          "pairs of texture coordinates are not finite and were left out",
                           warnings_);
-    odd_normals_.report("normals are zero or not finite and were left out", warnings_);
-    odd_groups_.report("smoothing groups are neither numbers nor off, and were taken as off",
+    odd_normals_.report("normal is zero or not finite and was left out",
+                        "normals are zero or not finite and were left out", warnings_);
+    odd_groups_.report("smoothing group is neither a number nor off, and was taken as off",
+                       "smoothing groups are neither numbers nor off, and were taken as off",
                        warnings_);
-    many_libraries_.report("material libraries beyond the first 256 were ignored", warnings_);
+    many_libraries_.report("material library beyond the first 256 was ignored",
+                           "material libraries beyond the first 256 were ignored", warnings_);
     if (!first_unknown_.empty()) {
-      unknown_.report(
-          ("unknown statements were ignored, " + first_unknown_ + " among them").c_str(),
-          warnings_);
+      unknown_.report("unknown statement was ignored: " + first_unknown_,
+                      "unknown statements were ignored, " + first_unknown_ + " among them",
+                      warnings_);
     }
   }
 

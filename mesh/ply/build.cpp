@@ -366,11 +366,15 @@ private:
 
   void report() {
     constexpr const char *kFace = ": face", *kVertex = ": vertex";
-    short_faces_.report("faces of fewer than three corners were left out", warnings_, kFace);
-    odd_normals_.report("normals are zero or not finite and were left out", warnings_, kVertex);
-    odd_texcoords_.report("texture coordinates are not finite and were taken as 0", warnings_,
-                          kVertex);
+    short_faces_.report("face of fewer than three corners was left out",
+                        "faces of fewer than three corners were left out", warnings_, kFace);
+    odd_normals_.report("normal is zero or not finite and was left out",
+                        "normals are zero or not finite and were left out", warnings_, kVertex);
+    odd_texcoords_.report("pair of texture coordinates is not finite and was taken as (0, 0)",
+                          "pairs of texture coordinates are not finite and were taken as (0, 0)",
+                          warnings_, kVertex);
     odd_wedges_.report(
+        "face has texture coordinates that are not finite or do not fit its corners",
         "faces have texture coordinates that are not finite or do not fit their corners", warnings_,
         kFace);
     for (const auto& [kind, names] : unread_) warnings_.add(kind + " are not drawn: " + names);

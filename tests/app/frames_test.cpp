@@ -315,7 +315,7 @@ TEST_CASE("a camera that sees nothing, stands in a wall or does not move is told
   };
   CHECK(contains(said(path_of(R"({"time": 0, "eye": [90, 1, 0], "look_at": [99, 1, 0]},
                                  {"time": 1, "eye": [91, 1, 0], "look_at": [99, 1, 0]})")),
-                 "no part of the scene is in view in 3 of the frames"));
+                 "no part of the scene is in view in 3 frames"));
   CHECK(contains(said(path_of(R"({"time": 0, "eye": [1, 1.5, 1], "look_at": [0, 0.6, 0]})")),
                  "one keyframe: the camera stands still"));
 }

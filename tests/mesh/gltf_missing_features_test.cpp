@@ -135,8 +135,8 @@ TEST_CASE("what is said of many primitives is said once") {
     json& primitive = b.triangle();
     primitive["attributes"]["NORMAL"] = b.floats(std::vector<float>(9, 0), "VEC3", 3);
   }
-  check_warnings(b, {"mesh 0, primitive 0 and 39 more: 120 normals of length zero were left out; "
-                     "their corners are shaded flat"});
+  check_warnings(b, {"mesh 0, primitive 0 and 39 more: normals of length zero were left out (120); "
+                     "corners with them are shaded flat"});
 }
 
 TEST_CASE(

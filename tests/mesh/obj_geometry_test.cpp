@@ -144,7 +144,7 @@ TEST_CASE("OBJ: normals are made unit length, and those without direction are no
   CHECK(mesh.normals[1] == Normal<Object>(float(std::sqrt(0.5)), -float(std::sqrt(0.5)), 0));
   CHECK(mesh.normals[2] == Normal<Object>(1, 0, 0));
   CHECK(mesh.corners[3].normal == kNone);
-  CHECK(warns_of(scene, "1 normals are zero"));
+  CHECK(warns_of(scene, "1 normal is zero"));
 }
 
 TEST_CASE("OBJ: texture coordinates are turned top down, and unreadable ones are none") {
@@ -154,7 +154,7 @@ TEST_CASE("OBJ: texture coordinates are turned top down, and unreadable ones are
   CHECK(mesh.texcoords[0] == TexCoord{0.25f, 0.25f});
   CHECK(mesh.texcoords[1] == TexCoord{0.5f, 1.0f});
   CHECK(mesh.corners[2].texcoord == kNone);
-  CHECK(warns_of(scene, "texture coordinates are not finite"));
+  CHECK(warns_of(scene, "1 pair of texture coordinates is not finite"));
 }
 
 TEST_CASE("OBJ: vertex colours are sRGB; vertices without one have none") {
@@ -229,7 +229,7 @@ TEST_CASE("OBJ: what can be done without is left out with a warning") {
   CHECK(warns_of(load(kSquare + "f 1 2 3\nl 1\np\n"), "2 lines or points"));
   CHECK(warns_of(load(kSquare + "cstype bezier\nend\nf 1 2 3\n"), "2 statements of free-form"));
   CHECK(warns_of(load(kSquare + "xyzzy 1\nf 1 2 3\n"), "'xyzzy'"));
-  CHECK(warns_of(load(kSquare + "f 1 2 3\n"), "1 of 4 vertices are not used"));
+  CHECK(warns_of(load(kSquare + "f 1 2 3\n"), "1 of 4 vertices is not used and was left out"));
   CHECK(warns_of(load(kSquare + "v 3.1+e2 0 0\nv 1\nv 0 nan 0\nv 0 0 -inf\nf 1 2 3 4\n"),
                  "4 unused vertices do not have three finite numbers (first in line 5)"));
   CHECK(load(kSquare + "s 1\ns off\nf 1 2 3 4\n").warnings.empty());

@@ -12,6 +12,7 @@
 #include "views/texture/unlit_renderer.h"
 #include "views/voxels/truth.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/mesh/gltf/write.h>
 
@@ -132,16 +133,17 @@ std::string polygons_text(const PolygonsInput& input, const PolygonsReport& repo
   const views::PolygonColoring& coloring = report.coloring;
   const views::MeshCheck& check = report.check;
   std::string text = fmt::format(
-      "{}: {} pictures\n"
+      "{}: {}\n"
       "voxels: {} full of {}, {} of them coloured, in {:.1f} ms\n"
       "polygons: {} with {} corners, {} edges shared by exactly two of them; Euler {}, {:.6g} "
       "voxels inside\n"
       "carved: {} voxels behind polygons of several colours ({} times a voxel was kept because the "
       "pictures fit no better without it), {} outside the object; {} polygons tested, {:.1f} ms\n"
       "layered images: {} samples of polygon and distance; {} MB\n",
-      printable(input.pictures.set.source, kLongestMessage), input.pictures.set.pictures.size(),
-      coloring.full_before, coloring.grid.voxels(), report.colored_voxels,
-      report.voxel_milliseconds, coloring.mesh.polygons.size(), check.corners,
+      printable(input.pictures.set.source, kLongestMessage),
+      counted(input.pictures.set.pictures.size(), "picture"), coloring.full_before,
+      coloring.grid.voxels(), report.colored_voxels, report.voxel_milliseconds,
+      coloring.mesh.polygons.size(), check.corners,
       check.edges - check.holes - check.non_manifold_edges, check.euler, check.volume,
       coloring.carved_by_color, coloring.kept, coloring.carved_by_background, coloring.examined,
       coloring.milliseconds, coloring.samples, (report.bytes + (1u << 20) - 1) >> 20);
@@ -151,9 +153,9 @@ std::string polygons_text(const PolygonsInput& input, const PolygonsReport& repo
         fmt::format("truth: IoU {:.4f}; before carving {:.4f}\n", *report.iou, *report.iou_before);
   if (coloring.unseen > 0)
     text += fmt::format(
-        "Left out: colours of {} polygons that no picture shows; they have their neighbours' "
-        "colours.\n",
-        coloring.unseen);
+        "Left out: the pictures' colours of {} that no picture shows. Such a polygon has its "
+        "neighbours' colours.\n",
+        counted(coloring.unseen, "polygon"));
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/report/exit_codes.h"
 #include "views/commands/picture_choice.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 
 namespace glassbox::views {
@@ -109,9 +110,9 @@ std::string layer_direction_text(const views::Coloring& coloring) {
 
 std::string order_text(const views::Coloring& coloring) {
   if (coloring.order == views::ColoringOrder::kCarve)
-    return fmt::format("carved in {} passes of six sweeps", coloring.passes);
-  if (coloring.in_shells) return fmt::format("swept outwards in {} shells", coloring.layers);
-  return fmt::format("swept in {} layers along {}", coloring.layers,
+    return fmt::format("carved in {} of six sweeps", counted(coloring.passes, "pass", "passes"));
+  if (coloring.in_shells) return "swept outwards in " + counted(coloring.layers, "shell");
+  return fmt::format("swept in {} along {}", counted(coloring.layers, "layer"),
                      layer_direction_text(coloring));
 }
 
@@ -183,15 +184,16 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
   const auto& [nx, ny, nz] = coloring.grid.count;
   const bool is_carved = coloring.order == views::ColoringOrder::kCarve;
   std::string text = fmt::format(
-      "{}: {} pictures, cameras {}\n{} x {} x {} voxels of {:.6g}, {}\n{}; pixels of a voxel that "
+      "{}: {}, cameras {}\n{} x {} x {} voxels of {:.6g}, {}\n{}; pixels of a voxel that "
       "are compared: {}, that it hides: {}, after each {}\n",
-      printable(input.set.source, kLongPath), input.set.pictures.size(),
+      printable(input.set.source, kLongPath), counted(input.set.pictures.size(), "picture"),
       views::name_of(coloring.traversal), nx, ny, nz, coloring.grid.size, order_text(coloring),
       test_text(request.settings), views::name_of(request.settings.sampled),
       views::name_of(request.settings.hidden), views::name_of(request.settings.update));
   const Means means = means_of(coloring);
-  text += fmt::format("{} coloured voxels, seen by {:.1f} pictures each, sigma {:.2f}\n",
-                      coloring.voxels.size(), means.views, means.deviation);
+  text +=
+      fmt::format("{}, seen by {:.1f} pictures on average, sigma {:.2f} on average\n",
+                  counted(coloring.voxels.size(), "coloured voxel"), means.views, means.deviation);
   if (is_carved) {
     text += fmt::format("remaining voxels: {} at the surface are visible, {} are hidden\n",
                         coloring.counts[std::size_t(Verdict::kColored)],
@@ -203,8 +205,9 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
                         coloring.counts[std::size_t(Verdict::kInconsistent)]);
   }
   if (request.levels > 0 && !is_carved) {
-    text += fmt::format("coarse to fine: {} coarser levels first, with {} voxels tested\n",
-                        request.levels, coloring.examined_coarse);
+    text += fmt::format("coarse to fine: {} first, with {} tested\n",
+                        counted(request.levels, "coarser level"),
+                        counted(coloring.examined_coarse, "voxel"));
   }
   text += fmt::format("{:.1f} ms on {}, {} MB\n", coloring.milliseconds,
                       name_of(request.settings.target), (report.bytes + (1u << 20) - 1) >> 20);
@@ -235,19 +238,20 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
   }
   const std::int64_t alone = coloring.counts[std::size_t(Verdict::kAlone)];
   if (alone > 0) {
-    text += fmt::format("Left out: {} voxels that only one picture sees (--alone keep).\n", alone);
+    text += fmt::format("Left out: {} that only one picture sees (--alone keep keeps them).\n",
+                        counted(alone, "voxel"));
   }
   if (!coloring.is_finished) {
     text += fmt::format(
-        "Stopped after {} passes, the most that are made, although the last pass still carved "
-        "voxels: the shape may be too large.\n",
+        "Carving was stopped after {} passes, the largest number that is allowed, although the "
+        "last pass still removed voxels: the shape may be too large.\n",
         coloring.passes);
   }
   if (std::ranges::any_of(input.set.pictures,
                           [](const auto& picture) { return picture.matte.pixels.empty(); })) {
     text +=
-        "Left out: background. In pictures without masks every pixel counts as the object "
-        "(--matte-above).\n";
+        "Left out: the background. In a picture without a mask every pixel counts as the object "
+        "(--matte-above makes a mask).\n";
   }
   return text;
 }

@@ -6,6 +6,8 @@
 #include "cli/report/text_layout.h"
 #include "study/commands/extremes/report.h"
 
+#include <glassbox/base/counted.h>
+
 namespace glassbox::study {
 
 namespace {
@@ -122,11 +124,12 @@ std::string extremes_text(const ExtremesReport& report) {
     }
     text += fmt::format(
         "\n"
-        "{} of {} cases hold: our code is within the bound, and naive code is above it.\n"
-        "{} of {} mutants are caught. {} cases are also drawn, by both engines and for every "
-        "target.\n"
+        "{} of {} {}: our code is within the bound, and naive code is above it.\n"
+        "{} of {} {} caught. {} also drawn, by both engines and for every target.\n"
         "glassbox study extremes --case ID shows one case in full.\n",
-        hold, report.cases.size(), caught, mutants, in_pictures);
+        hold, counted(report.cases.size(), "case"), singular_or_plural(hold, "holds", "hold"),
+        caught, counted(mutants, "mutant"), singular_or_plural(caught, "is", "are"),
+        counted(in_pictures, "case is", "cases are"));
   }
   for (const SweepResult& each : report.sweeps) text += sweep_text(each);
   return text;

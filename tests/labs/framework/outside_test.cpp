@@ -87,7 +87,7 @@ TEST_CASE("a lab of the page's small files, outside of the source tree, is grade
   // Graded again only if the judge has changed.
   const std::vector<std::string> again{"lab",    "grade", "class",   "--lab-dir",
                                        "40-fog", "-o",    "results", "--resume"};
-  CHECK(directory.run(again).err.find("3 of 3 submissions already have their results") !=
+  CHECK(directory.run(again).err.find("3 of 3 submissions already have a result") !=
         std::string::npos);
   std::string judge = read_text_file(directory.lab / "checks.cpp").value();
   judge.replace(judge.find(", 0.0, 1.0"), 10, ", -9.0, 9.0");

@@ -80,12 +80,12 @@ TEST_CASE(
 
   const Outcome collected = grader({"collect", "results"}, directory.path);
   CHECK(collected.exit_code == 1);
-  CHECK(collected.err.find("of 6 gradings did not finish") != std::string::npos);
+  CHECK(collected.err.find("of 6 submissions did not finish") != std::string::npos);
   CHECK(read(results / "class.csv").find("this is an earlier result") != std::string::npos);
 
   const Outcome resumed = grader(with(kGrade, "--resume"), directory.path);
   CHECK(resumed.exit_code == 0);
-  CHECK(resumed.err.find("of 6 submissions already have their results") != std::string::npos);
+  CHECK(resumed.err.find("of 6 submissions already have a result") != std::string::npos);
   CHECK(scratch_folders(temporary) == 0);
   for (int i = 0; i < kClass; ++i)
     CHECK(result_of(results, i).at("extra_data").at("digest") != old);
