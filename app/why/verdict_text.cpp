@@ -93,10 +93,10 @@ std::string closest_text(const FragmentDetails::Hidden& h) {
                        "depths the first one drawn stays.",
                        h.code, h.distance, h.stored_distance);
   }
-  return where + fmt::format(
-                     "depth code 0x{:08x} is larger than 0x{:08x} by {}, and the distance {:.9g} "
-                     "is behind {:.9g}.",
-                     h.code, h.stored, h.code - h.stored, h.distance, h.stored_distance);
+  return where +
+         fmt::format(
+             "depth code 0x{:08x} is larger than 0x{:08x} by {} (distances {:.9g} and {:.9g}).",
+             h.code, h.stored, h.code - h.stored, h.distance, h.stored_distance);
 }
 
 // A part of the fragments in words: "all 12 fragments", "3 of 12 fragments".

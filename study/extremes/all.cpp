@@ -19,8 +19,8 @@ const std::vector<ExtremeCase>& extreme_cases() {
 const std::vector<OmittedCase>& omitted_cases() {
   static const std::vector<OmittedCase> all{
       {"C-116", "Pixels and vertices that are not numbers",
-       "the loaders refuse them and name the place (tests/mesh, tests/images), so they reach no "
-       "later stage"},
+       "the loaders refuse such files and say where the number is (tests/mesh, tests/images), so "
+       "no later stage gets it"},
   };
   return all;
 }

@@ -38,9 +38,10 @@ Outcome measure_error(LookAt look_at_under_test) {
     const auto view = look_at_under_test(eye, target, up);
     if (!view) continue;
     ++answered;
-    worst.add(HUGE_VAL, 0, "a roll was invented where up is along the gaze");
+    worst.add(HUGE_VAL, 0, "code computed a roll although up is along the gaze");
   }
-  return worst.outcome(fmt::format("{} of 4 undefined rolls got an answer", answered));
+  return worst.outcome(
+      fmt::format("{} of 4 cameras with an undefined roll were accepted", answered));
 }
 
 // A ball seen by a camera whose up vector is nearly parallel to its gaze, compared with camera axes
@@ -79,10 +80,12 @@ ExtremeCase c01_up_along_gaze() {
       .unit = "of the axes' length",
       .oracle = Oracle::kExtended,
       .ours = {"look_at", [] { return measure_error(look_at); }},
-      .naive = {"unchecked UVN", [] { return measure_error(naive::unchecked_look_at); }},
-      .mutants = {{"no limit for the sine",
+      .naive = {"UVN axes without any check",
+                [] { return measure_error(naive::unchecked_look_at); }},
+      .mutants = {{"no limit for the sine of the angle between up and gaze",
                    [] { return measure_error(naive::look_at_without_limit); }},
-                  {"V is the given up", [] { return measure_error(naive::look_at_with_given_up); }},
+                  {"V is the given up vector, not N x U",
+                   [] { return measure_error(naive::look_at_with_given_up); }},
                   {"in float", [] { return measure_error(naive::look_at_in_float); }}},
       .drawn = measure_drawn_error,
   };

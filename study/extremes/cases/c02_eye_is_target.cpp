@@ -20,7 +20,7 @@ Outcome measure_error(LookAt look_at_under_test) {
   // One ulp of distance between eye and target is enough to give a direction.
   const auto near = look_at_under_test({1, 2, 3}, {1, 2, 3 - 0x1p-51}, {0, 1, 0});
   answered += !near || *near != *look_at({1, 2, 3}, {1, 2, 2}, {0, 1, 0});
-  return wrong_count_outcome(answered, all + 1, "cameras answered wrongly");
+  return wrong_count_outcome(answered, all + 1, "cameras get a wrong answer");
 }
 
 // The code that beginners write: it rejects an eye that is the target, but accepts subnormal
@@ -51,9 +51,11 @@ ExtremeCase c02_eye_is_target() {
       .unit = "cameras",
       .oracle = Oracle::kProperty,
       .ours = {"look_at", [] { return measure_error(look_at); }},
-      .naive = {"unchecked UVN", [] { return measure_error(naive::unchecked_look_at); }},
-      .mutants = {{"only equal points are refused", [] { return measure_error(equality_alone); }},
-                  {"refused below a distance of 1e-6",
+      .naive = {"UVN axes without any check",
+                [] { return measure_error(naive::unchecked_look_at); }},
+      .mutants = {{"only an eye exactly equal to the target is refused",
+                   [] { return measure_error(equality_alone); }},
+                  {"all eyes nearer than 1e-6 to the target are refused",
                    [] { return measure_error(least_distance); }}},
       .not_drawn = "two equal points are refused, so there is no camera to draw with",
   };

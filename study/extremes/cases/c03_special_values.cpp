@@ -107,8 +107,8 @@ Outcome measure_error(auto look_at_by, auto lens_by, auto inverse_by) {
     return answers(cameras, false);
   }();
   const int refused = 4 - int(good.size()), different = same_bytes(good, flushed) ? 0 : 1;
-  return wrong_count_outcome(accepted + refused + different, 13 + 4 + 1, "answers wrong",
-                             fmt::format("; {} of 13 impossible inputs accepted", accepted));
+  return wrong_count_outcome(accepted + refused + different, 13 + 4 + 1, "answers are wrong",
+                             fmt::format("; {} of 13 impossible inputs were accepted", accepted));
 }
 
 Result<Transform<Clip, Eye>> checked_lens(double fovy, double near, double far) {
@@ -144,20 +144,19 @@ ExtremeCase c03_special_values() {
           "ones with subnormal parts, with and without flush to zero",
       .stage = "look-at",
       .right_answer =
-          "all 13 are refused and all 4 accepted, with the same bytes, as far as floats can hold "
-          "them, for every treatment of subnormals",
+          "all 13 are refused; all 4 are accepted and give the same bytes, with and without flush "
+          "to zero",
       .unit = "answers",
       .oracle = Oracle::kProperty,
       .ours = {"look_at, perspective, inverse_affine",
                [] { return measure_error(look_at, checked_lens, checked_inverse); }},
-      .naive = {"nothing checked",
+      .naive = {"no input is checked",
                 [] {
                   return measure_error(naive::unchecked_look_at, unchecked_lens, unchecked_inverse);
                 }},
-      .mutants = {{"\"<= 0\" for \"not > 0\" in the checks of the lens",
-                   [] {
-                     return measure_error(look_at, lens_that_lets_nan_through, checked_inverse);
-                   }}},
+      .mutants =
+          {{"the checks of the lens ask for \"<= 0\" in place of \"not > 0\", which accepts NaN",
+            [] { return measure_error(look_at, lens_that_lets_nan_through, checked_inverse); }}},
       .not_drawn = "files and cameras with such numbers are refused before anything is drawn",
       .exceptions_of_ours = FE_INVALID,  // because NaN is compared
   };

@@ -47,18 +47,21 @@ ExtremeCase c04_small_angle() {
   return {
       .id = "C-04",
       .name = "The angle of a small rotation",
-      .construction = "rotations by 0.1 .. 1e-7 rad about the three axes, taken apart again",
+      .construction =
+          "rotations by 0.1 .. 1e-7 rad about the three axes, from whose matrices axis and angle "
+          "are computed again",
       .stage = "axis and angle",
       .right_answer =
           "4 u of the angle: sine and cosine are right to one ulp each, the arctangent to 2 "
           "(base/trig.h)",
       .unit = "of the angle",
       .oracle = Oracle::kExtended,
-      .ours = {"arctangent of sine over cosine", [] { return measure_error(by_arctangent); }},
-      .naive = {"arccosine of the trace, in float",
+      .ours = {"the arctangent of sine over cosine", [] { return measure_error(by_arctangent); }},
+      .naive = {"the arccosine of a cosine from the trace, in float",
                 [] { return measure_error(by_arccosine_in_float); }},
-      .mutants = {{"acos of the trace, in double", [] { return measure_error(by_arccosine); }}},
-      .not_drawn = "the result is the angle of a matrix, and not a picture",
+      .mutants = {{"the arccosine of a cosine from the trace, in double",
+                   [] { return measure_error(by_arccosine); }}},
+      .not_drawn = "the result is the rotation angle of a matrix, which no picture shows",
   };
 }
 

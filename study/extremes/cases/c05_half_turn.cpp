@@ -22,7 +22,7 @@ Outcome measure_error(LookAt look_at_under_test) {
     // and cosine are quotients of entries with an error of 16 u, divided by the length of up in the
     // plane, which is at least 0.97. Together 8 + 8 + 3 + 17 = 36 u.
     const double bound = 36 * unit_roundoff<double>;
-    const std::string where = fmt::format("gaze {:g} from straight back", off);
+    const std::string where = fmt::format("the gaze is {:g} away from straight back", off);
     if (view) {
       add_entry_errors(worst, *view, exact, 3, bound, where);
     } else {
@@ -62,11 +62,12 @@ ExtremeCase c05_half_turn() {
       .unit = "of the axes' length",
       .oracle = Oracle::kExtended,
       .ours = {"look_at_axis_angle", [] { return measure_error(look_at_axis_angle); }},
-      .naive = {"v x t over its length, arccosine", [] { return measure_error(by_the_book); }},
-      .mutants = {{"acos for the angle", [] { return measure_error(with_arccosine); }}},
+      .naive = {"the axis is v x t over its length, the angle an arccosine",
+                [] { return measure_error(by_the_book); }},
+      .mutants = {{"the angle is an arccosine", [] { return measure_error(with_arccosine); }}},
       .not_drawn =
-          "any axis perpendicular to the two directions is right, so there is no single right "
-          "picture",
+          "any axis perpendicular to the two directions is right, so several different pictures "
+          "are right",
   };
 }
 

@@ -30,8 +30,8 @@ Outcome measure_error(Lens lens) {
     const bool seen = clip_point(front, planes) && !clip_point(behind, planes);
     wrong += !seen || (front.x > 0) != (x > 0) || (front.y > 0) != (y > 0);
   }
-  return wrong_count_outcome(wrong, kPoints, "points wrong",
-                             fmt::format("; w > 0 at {} points in front of the eye", w_positive));
+  return wrong_count_outcome(wrong, kPoints, "points are wrong",
+                             fmt::format("; {} points in front of the eye have w > 0", w_positive));
 }
 
 Transform<Clip, EyeLeft> t_pers_1_10() {
@@ -93,11 +93,12 @@ ExtremeCase c07_handedness() {
           "(erratum E12)",
       .unit = "points",
       .oracle = Oracle::kProperty,
-      .ours = {"T_pers times diag(1, 1, -1, 1)", [] { return measure_error(with_adaptor); }},
-      .naive = {"T_pers without a change", [] { return measure_error(without_adaptor); }},
+      .ours = {"T_pers times the reflection diag(1, 1, -1, 1)",
+               [] { return measure_error(with_adaptor); }},
+      .naive = {"T_pers without a reflection", [] { return measure_error(without_adaptor); }},
       .mutants = {{"half a turn about y instead of the reflection",
                    [] { return measure_error(turned_round); }},
-                  {"the sign of w alone", [] { return measure_error(w_negated); }}},
+                  {"only the sign of w is changed", [] { return measure_error(w_negated); }}},
       .drawn = measure_drawn_error,
   };
 }

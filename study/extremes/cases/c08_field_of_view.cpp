@@ -29,8 +29,8 @@ Outcome measure_error(Scale scale) {
   for (const double degrees : {0.0, -45.0, 180.0, 180.0001, 360.0}) {
     accepted += scale(degrees).has_value();
   }
-  if (accepted > 0) worst.add(HUGE_VAL, 0, "an angle without a picture accepted");
-  return worst.outcome(fmt::format("{} of 5 impossible angles accepted", accepted));
+  if (accepted > 0) worst.add(HUGE_VAL, 0, "an impossible angle was accepted");
+  return worst.outcome(fmt::format("{} of 5 impossible angles were accepted", accepted));
 }
 
 std::optional<double> ours(double degrees) {
@@ -79,8 +79,10 @@ ExtremeCase c08_field_of_view() {
       .unit = "of the scale",
       .oracle = Oracle::kExtended,
       .ours = {"perspective_degrees", [] { return measure_error(ours); }},
-      .naive = {"1 / tan in float, unchecked", [] { return measure_error(tangent_in_float); }},
-      .mutants = {{"the angle goes through radians", [] { return measure_error(by_radians); }}},
+      .naive = {"1 / tan in float, without any check",
+                [] { return measure_error(tangent_in_float); }},
+      .mutants = {{"the angle is converted to radians first",
+                   [] { return measure_error(by_radians); }}},
       .drawn = measure_drawn_error,
   };
 }

@@ -31,8 +31,8 @@ Outcome measure_error(Lens lens) {
        {std::pair{0.0, 1.0}, {-1.0, 1.0}, {1.0, 1.0}, {2.0, 1.0}, {1.0, -1.0}}) {
     accepted += bool(lens(n, f));
   }
-  if (accepted > 0) worst.add(HUGE_VAL, 0, "planes out of order accepted");
-  return worst.outcome(fmt::format("{} of 5 impossible pairs of planes accepted", accepted));
+  if (accepted > 0) worst.add(HUGE_VAL, 0, "near and far planes in the wrong order were accepted");
+  return worst.outcome(fmt::format("{} of 5 impossible pairs of planes were accepted", accepted));
 }
 
 Result<Transform<Clip, Eye>> ours(double near, double far) {
@@ -104,9 +104,9 @@ ExtremeCase c09_planes_out_of_order() {
       .unit = "of the entry",
       .oracle = Oracle::kRational,
       .ours = {"perspective_degrees", [] { return measure_error(ours); }},
-      .naive = {"f / (f - n) in float, unchecked", [] { return measure_error(unchecked); }},
-      .mutants = {{"n = f passes", [] { return measure_error(equal_planes_pass); }},
-                  {"n > f is swapped without an error",
+      .naive = {"f / (f - n) in float, without any check", [] { return measure_error(unchecked); }},
+      .mutants = {{"n = f is accepted", [] { return measure_error(equal_planes_pass); }},
+                  {"for n > f the two planes are exchanged without an error",
                    [] { return measure_error(swapped_when_out_of_order); }}},
       .drawn = measure_drawn_error,
   };

@@ -49,8 +49,8 @@ ExtremeCase c100_normal_equations() {
       .construction = "60 pairs of cameras, 20 matches without noise, in pixels",
       .stage = "two views",
       .right_answer =
-          "64 u times the condition number of the normalised system; A^T A has its square, about "
-          "10^10 for raw pixels, but a float resolves only 10^7",
+          "64 u times the condition number of the normalised system; the condition number of A^T A "
+          "is the square of that of A, about 10^10 for raw pixels, but a float has only 7 digits",
       .unit = "of |E|",
       .oracle = Oracle::kAnalytic,
       .ours = {"singular values of normalised points",
@@ -61,7 +61,7 @@ ExtremeCase c100_normal_equations() {
                    [] { return measure_error(normalised_by_normal_equations<float>); }},
                   {"normal equations of pixels in double",
                    [] { return measure_error(naive::matrix_by_normal_equations<double>); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

@@ -36,7 +36,7 @@ Outcome measure_error(Decision decision) {
     rig.pose.translation.setZero();
     ask(rig, matches_of(random, rig, 60, kSigma), views::PairKind::kPureRotation);
   }
-  return wrong_count_outcome(wrong, tried, "pairs");
+  return wrong_count_outcome(wrong, tried, "pairs of cameras are reported wrongly");
 }
 
 }  // namespace c101
@@ -52,17 +52,20 @@ ExtremeCase c101_pure_rotation() {
           "px",
       .stage = "two views",
       .right_answer =
-          "E is 0, and any direction of T fits: the pair is reported as such instead of estimated, "
-          "by residuals and a cost for each model's freedom (Torr 2002)",
+          "a camera that only turns is reported as such, because E is 0 and any direction of T "
+          "fits; the decision compares residuals plus a cost for each model's number of parameters "
+          "(Torr 2002)",
       .unit = "pairs",
       .oracle = Oracle::kProperty,
-      .ours = {"three models compared", [] { return measure_error(by_criterion); }},
-      .naive = {"the solution for eight points, without a check",
+      .ours = {"the costs of three models are compared",
+               [] { return measure_error(by_criterion); }},
+      .naive = {"the eight-point solution, without a check",
                 [] { return measure_error(naive::always_general); }},
-      .mutants = {{"no cost for a model's freedom", [] { return measure_error(by_fit_alone); }},
-                  {"every homography counts as a plane",
+      .mutants = {{"the cost does not count a model's parameters",
+                   [] { return measure_error(by_fit_alone); }},
+                  {"every homography is reported as a plane",
                    [] { return measure_error(naive::turned_is_a_plane); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

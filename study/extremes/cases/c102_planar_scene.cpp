@@ -52,7 +52,7 @@ Outcome measure_error(auto rank_by, auto essentials_by) {
       tried += 2;
     }
   }
-  return wrong_count_outcome(wrong, tried, "answers");
+  return wrong_count_outcome(wrong, tried, "answers are wrong");
 }
 
 }  // namespace c102
@@ -72,15 +72,15 @@ ExtremeCase c102_planar_scene() {
           "half of the digits)",
       .unit = "answers",
       .oracle = Oracle::kAnalytic,
-      .ours = {"rank by singular values, five points",
+      .ours = {"the rank from singular values, and the five-point solution",
                [] { return measure_error(by_singular_values, five_points); }},
-      .naive = {"as many equations as matches, eight points",
+      .naive = {"the rank is taken to be the number of matches, and the eight-point solution",
                 [] { return measure_error(count_equations, eight_points); }},
-      .mutants = {{"only an exact 0 counts as 0",
+      .mutants = {{"only singular values of exactly 0 count as 0",
                    [] { return measure_error(count_nonzero_values, five_points); }},
-                  {"eight points instead of five",
+                  {"the eight-point solution instead of the five-point one",
                    [] { return measure_error(by_singular_values, eight_points); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

@@ -58,7 +58,7 @@ Outcome measure_error(Decision decision) {
       }
     }
   }
-  return wrong_count_outcome(wrong, tried, "pairs");
+  return wrong_count_outcome(wrong, tried, "pairs of cameras are reported wrongly");
 }
 
 }  // namespace c103
@@ -74,17 +74,18 @@ ExtremeCase c103_critical_surface() {
           "cameras before any points",
       .stage = "two views",
       .right_answer =
-          "a second matrix fulfils all equations: the eighth singular value is as small as the "
+          "a second matrix satisfies all equations: the eighth singular value is as small as the "
           "ninth, or nearly, and no homography fits",
       .unit = "pairs",
       .oracle = Oracle::kAnalytic,
       .ours = {"the gap between the last two singular values",
                [] { return measure_error(by_gap); }},
-      .naive = {"the solution for eight points, without a check",
+      .naive = {"the eight-point solution, without a check",
                 [] { return measure_error(eight_points_do); }},
       .mutants = {{"only the rank is checked", [] { return measure_error(by_rank); }},
-                  {"only planes count as degenerate", [] { return measure_error(by_homography); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+                  {"only planes are reported as degenerate",
+                   [] { return measure_error(by_homography); }}},
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

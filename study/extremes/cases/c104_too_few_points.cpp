@@ -55,7 +55,7 @@ Outcome measure_error(AcceptTest accepts) {
     infinite[3].right.x() = std::numeric_limits<double>::infinity();
     ask(infinite, false);
   }
-  return wrong_count_outcome(wrong, tried, "lists of matches");
+  return wrong_count_outcome(wrong, tried, "lists of matches get a wrong answer");
 }
 
 }  // namespace c104
@@ -72,12 +72,13 @@ ExtremeCase c104_too_few_points() {
       .right_answer = "only the good ones are accepted: the system must have rank 8",
       .unit = "lists",
       .oracle = Oracle::kProperty,
-      .ours = {"eight, finite, of rank 8", [] { return measure_error(has_rank_eight); }},
-      .naive = {"eight matches are enough", [] { return measure_error(eight_are_there); }},
+      .ours = {"at least eight finite matches whose system has rank 8",
+               [] { return measure_error(has_rank_eight); }},
+      .naive = {"any eight matches are accepted", [] { return measure_error(eight_are_there); }},
       .mutants = {{"the rank is not checked", [] { return measure_error(is_solved); }},
-                  {"only the left points must differ",
+                  {"only the left points of the matches have to differ",
                    [] { return measure_error(left_points_differ); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

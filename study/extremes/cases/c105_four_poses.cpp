@@ -31,7 +31,7 @@ Outcome measure_error(Choice choice) {
     errors.add(std::max(views::rotation_error(found.rotation, rig.pose.rotation),
                         views::direction_error(found.translation, rig.pose.translation)));
   }
-  return errors.outcome("poses");
+  return errors.outcome("poses are wrong");
 }
 
 }  // namespace c105
@@ -46,13 +46,14 @@ ExtremeCase c105_four_poses() {
       .right_answer = "exactly one of four has all points in front of both cameras; 512 u",
       .unit = "radian",
       .oracle = Oracle::kAnalytic,
-      .ours = {"the one in front of both cameras", [] { return measure_error(in_front); }},
-      .naive = {"the first", [] { return measure_error(naive::first_of_four); }},
-      .mutants = {{"one rotation, both signs of T",
+      .ours = {"the pose with all points in front of both cameras",
+               [] { return measure_error(in_front); }},
+      .naive = {"the first of the four poses", [] { return measure_error(naive::first_of_four); }},
+      .mutants = {{"only one rotation is tried, with both signs of T",
                    [] { return measure_error(naive::one_rotation); }},
-                  {"in front of the left camera",
+                  {"the pose with all points in front of the left camera",
                    [] { return measure_error(naive::in_front_of_left); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

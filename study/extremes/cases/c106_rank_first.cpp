@@ -26,7 +26,7 @@ Outcome measure_error(Estimator estimator) {
     const views::Matches matches = calibrated(matches_of(random, rig, 20, 0.5), rig);
     errors.add(views::demazure<double>(estimator(matches).normalized()).norm());
   }
-  return errors.outcome("matrices");
+  return errors.outcome("matrices are not essential");
 }
 
 }  // namespace c106
@@ -44,11 +44,13 @@ ExtremeCase c106_rank_first() {
           "similarity does not keep",
       .unit = "of |E|^3",
       .oracle = Oracle::kAnalytic,
-      .ours = {"transformed back, then made essential", [] { return measure_error(after); }},
-      .naive = {"made essential, then transformed back",
+      .ours = {"E is transformed back first, then its singular values are made equal",
+               [] { return measure_error(after); }},
+      .naive = {"the singular values of E are made equal first, then E is transformed back",
                 [] { return measure_error(naive::essential_made_before_carrying_back); }},
-      .mutants = {{"rank 2 alone", [] { return measure_error(naive::essential_of_rank_two); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .mutants = {{"only the third singular value is set to 0",
+                   [] { return measure_error(naive::essential_of_rank_two); }}},
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

@@ -42,7 +42,7 @@ Outcome measure_error(Triangulation triangulation) {
     wrong += !is_right(triangulation(pixels, rig), 0);
     ++tried;
   }
-  return wrong_count_outcome(wrong, tried, "points");
+  return wrong_count_outcome(wrong, tried, "points are wrong");
 }
 
 views::Triangulated flagged(const views::Match& pixels, const views::StereoRig& rig) {
@@ -78,13 +78,15 @@ ExtremeCase c107_parallel_rays() {
           "u",
       .unit = "points",
       .oracle = Oracle::kAnalytic,
-      .ours = {"midpoint with a flag", [] { return measure_error(flagged); }},
-      .naive = {"a quotient", [] { return measure_error(naive::by_division); }},
+      .ours = {"the midpoint, and a flag for points at infinity",
+               [] { return measure_error(flagged); }},
+      .naive = {"the quotient f B/d, without a test",
+                [] { return measure_error(naive::by_division); }},
       .mutants = {{"a division by 0 for parallel lines",
                    [] { return measure_error(never_at_infinity); }},
                   {"everything beyond 1000 counts as infinitely far",
                    [] { return measure_error(at_infinity_too_soon); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

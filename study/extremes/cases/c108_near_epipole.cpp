@@ -72,11 +72,13 @@ ExtremeCase c108_near_epipole() {
           "towards the epipole",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
-      .ours = {"covariance of the point", [] { return measure_error(by_covariance); }},
+      .ours = {"the covariance of the point", [] { return measure_error(by_covariance); }},
       .naive = {"Z^2 sqrt(2) sigma/(f B)", [] { return measure_error(by_parallel_law); }},
-      .mutants = {{"noise in one picture alone", [] { return measure_error(one_picture_alone); }},
-                  {"by the sine at the camera", [] { return measure_error(by_sine_at_camera); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .mutants = {{"only the noise of one picture is counted",
+                   [] { return measure_error(one_picture_alone); }},
+                  {"divided by the sine of the angle at the camera",
+                   [] { return measure_error(by_sine_at_camera); }}},
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

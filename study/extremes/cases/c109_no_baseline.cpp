@@ -41,7 +41,7 @@ Outcome measure_error(PredictedError predicted_error) {
               fmt::format("baseline {}", baseline), condition);
   }
   const bool said = std::isinf(predicted_error(rig_at({0, 0, 0})));
-  worst.add(said ? 0 : 1, 0, "no baseline: the result does not say that there is no depth");
+  worst.add(said ? 0 : 1, 0, "without a baseline the result does not say that there is no depth");
   return worst.outcome();
 }
 
@@ -60,14 +60,14 @@ ExtremeCase c109_no_baseline() {
           "angle and 16 u (Z/B)^2 for the inverse; without a baseline it is infinite",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
-      .ours = {"covariance of the point", [] { return measure_error(by_covariance); }},
-      .naive = {"a small reprojection error counts as a small error of the point",
+      .ours = {"the covariance of the point", [] { return measure_error(by_covariance); }},
+      .naive = {"the point's error is computed from the reprojection error alone",
                 [] { return measure_error(by_reprojection); }},
-      .mutants = {{"the square root of the baseline",
+      .mutants = {{"the square root of the baseline in place of the baseline",
                    [] { return measure_error(with_root_of_baseline); }},
                   {"without a baseline the error is 0",
                    [] { return measure_error(never_infinite); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

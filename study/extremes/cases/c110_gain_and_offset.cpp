@@ -62,15 +62,17 @@ ExtremeCase c110_gain_and_offset() {
           "noise of 0 to 127 at disparity 9; the right picture times 1.3, plus 40, and a tenth "
           "darker at its sides",
       .stage = "matching",
-      .right_answer = "at most 0.5 % of the pixels are wrong: a darker pixel stays darker",
+      .right_answer =
+          "at most 0.5 % of the pixels are wrong, because census compares each pixel with its "
+          "neighbours, and a darker one stays darker",
       .unit = "per cent",
       .oracle = Oracle::kProperty,
       .ours = {"census", [] { return measure_error(MatchingCost::kCensus, 3); }},
       .naive = {"absolute differences", [] { return measure_error(MatchingCost::kSad, 3); }},
       .mutants = {{"squared differences", [] { return measure_error(MatchingCost::kSsd, 3); }},
-                  {"absolute differences of a wider square",
+                  {"absolute differences over a larger square",
                    [] { return measure_error(MatchingCost::kSad, 5); }}},
-      .not_drawn = "the pictures are only its input: no engine draws disparities",
+      .not_drawn = "the case computes disparities from given pictures; no engine draws them",
   };
 }
 

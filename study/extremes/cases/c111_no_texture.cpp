@@ -41,8 +41,8 @@ Outcome measure_error(const views::MatchSettings& settings) {
   silent = 30 - answered(clear, noisy);
   return must_be_zero(
       guessed + silent,
-      fmt::format("{} of 60 pixels guessed, {} of 30 clear pixels without an answer", guessed,
-                  silent));
+      fmt::format("{} of 60 ambiguous pixels got a disparity, and {} of 30 clear pixels got none",
+                  guessed, silent));
 }
 
 views::MatchSettings by_confidence(float least) {
@@ -69,11 +69,12 @@ ExtremeCase c111_no_texture() {
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"peak ratio of at least 1/4", [] { return measure_error(by_confidence(0.25f)); }},
-      .naive = {"the winner", [] { return measure_error(by_confidence(0)); }},
-      .mutants = {{"only equal costs count as unclear",
+      .naive = {"the disparity with the lowest cost, without a test",
+                [] { return measure_error(by_confidence(0)); }},
+      .mutants = {{"only exactly equal costs count as ambiguous",
                    [] { return measure_error(by_confidence(1e-6f)); }},
                   {"peak ratio of 1", [] { return measure_error(by_confidence(0.9999f)); }}},
-      .not_drawn = "the pictures are only its input: no engine draws disparities",
+      .not_drawn = "the case computes disparities from given pictures; no engine draws them",
   };
 }
 

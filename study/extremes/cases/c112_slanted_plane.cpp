@@ -97,15 +97,15 @@ ExtremeCase c112_slanted_plane() {
       .construction = "disparities 4 + x/10 + y/20 of smooth noise, 160 x 60 px",
       .stage = "matching",
       .right_answer =
-          "RMS of at most 1/4 px: whole pixels cannot be better than 1/sqrt(12) = 0.289, the error "
-          "of a staircase",
+          "an RMS error of at most 1/4 px; with whole pixels it cannot be below 1/sqrt(12) = 0.289 "
+          "px, the error of rounding",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"fractions of a pixel", [] { return measure_error(part_of_pixel); }},
       .naive = {"whole pixels", [] { return measure_error(whole_pixels); }},
-      .mutants = {{"the fraction with the opposite sign", [] { return measure_error(other_way); }},
-                  {"the fraction cut off", [] { return measure_error(cut_off); }}},
-      .not_drawn = "the pictures are only its input: no engine draws disparities",
+      .mutants = {{"the fraction has the opposite sign", [] { return measure_error(other_way); }},
+                  {"the fraction is cut off", [] { return measure_error(cut_off); }}},
+      .not_drawn = "the case computes disparities from given pictures; no engine draws them",
   };
 }
 

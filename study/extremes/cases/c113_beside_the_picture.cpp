@@ -43,7 +43,7 @@ Outcome measure_error(Matcher matcher) {
         wrong += !(std::abs(behind.at(x, y) + 4) <= 0.5f);
     }
   }
-  return wrong_count_outcome(wrong, kWidth * kHeight, "pixels");
+  return wrong_count_outcome(wrong, kWidth * kHeight, "pixels are wrong");
 }
 
 }  // namespace c113
@@ -61,12 +61,13 @@ ExtremeCase c113_beside_the_picture() {
           "no disparity; negative disparities are found",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"invalid where no match is possible", [] { return measure_error(ours); }},
-      .naive = {"clamped into the picture", [] { return measure_error(naive::match_clamped); }},
+      .ours = {"a pixel is invalid where no match is possible", [] { return measure_error(ours); }},
+      .naive = {"positions outside the picture are clamped to its edge",
+                [] { return measure_error(naive::match_clamped); }},
       .mutants = {{"holes are filled", [] { return measure_error(filled); }},
-                  {"only disparities from 0 on",
+                  {"only disparities of 0 and above are searched",
                    [] { return measure_error(match_positive_disparities); }}},
-      .not_drawn = "the pictures are only its input: no engine draws disparities",
+      .not_drawn = "the case computes disparities from given pictures; no engine draws them",
   };
 }
 

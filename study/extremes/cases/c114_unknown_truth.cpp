@@ -74,9 +74,9 @@ ExtremeCase c114_unknown_truth() {
           "the error of the three known pixels; Z = f B/(d + 31.086); four roundings of float",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
-      .ours = {"the known pixels, with the offset",
+      .ours = {"only the known pixels, and the offset is added",
                [] { return measure_error(rms_of_known, with_offset); }},
-      .naive = {"all pixels, f B/d",
+      .naive = {"all pixels, and depth is f B/d",
                 [] { return measure_error(naive::rms_of_all, naive::depth_without_offset); }},
       .mutants = {{"only NaN counts as unknown",
                    [] { return measure_error(nan_is_unknown, with_offset); }},
@@ -84,7 +84,7 @@ ExtremeCase c114_unknown_truth() {
                    [] { return measure_error(zero_is_far, with_offset); }},
                   {"the offset is forgotten",
                    [] { return measure_error(rms_of_known, naive::depth_without_offset); }}},
-      .not_drawn = "the pictures are only its input: no engine draws disparities",
+      .not_drawn = "the case computes disparities from given pictures; no engine draws them",
   };
 }
 

@@ -127,9 +127,9 @@ ExtremeCase c115_klt() {
           "between the eigenvalues",
       .unit = "of the trace, radian",
       .oracle = Oracle::kInteger,
-      .ours = {"two passes, angles of spaces",
+      .ours = {"two passes; spaces of components are compared by their angles",
                [] { return measure_error(two_passes, views::angle_between); }},
-      .naive = {"E[xy] - E[x] E[y], angles of vectors",
+      .naive = {"E[xy] - E[x] E[y]; single components are compared by their angles",
                 [] {
                   return measure_error(naive::covariance_by_moments<double>,
                                        naive::angle_of_vectors);
@@ -147,10 +147,11 @@ ExtremeCase c115_klt() {
             [] { return measure_error(naive::covariance_of_a_sample, views::angle_between); }},
            {"the mean is not subtracted",
             [] { return measure_error(naive::covariance_about_zero, views::angle_between); }},
-           {"angles of vectors",
+           {"single components are compared, not the spaces that they span",
             [] { return measure_error(two_passes, naive::largest_angle_of_vectors); }},
-           {"arc cosines", [] { return measure_error(two_passes, naive::angle_by_cosine); }}},
-      .not_drawn = "the input is the numbers of pictures: no engine draws components",
+           {"angles are computed as arccosines",
+            [] { return measure_error(two_passes, naive::angle_by_cosine); }}},
+      .not_drawn = "the case computes components from given bands; no engine draws them",
   };
 }
 

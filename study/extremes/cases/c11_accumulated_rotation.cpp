@@ -53,13 +53,13 @@ ExtremeCase c11_accumulated_rotation() {
           "linear, about u/3 each (B.5)",
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
-      .ours = {"nearest_rotation every 1000", [] { return measure_error(nearest); }},
-      .naive = {"never repaired", [] { return measure_error(nothing); }},
-      .mutants = {{"only the lengths of the axes repaired",
+      .ours = {"nearest_rotation after every 1000 products", [] { return measure_error(nearest); }},
+      .naive = {"the matrix is never repaired", [] { return measure_error(nothing); }},
+      .mutants = {{"only the lengths of the axes are repaired",
                    [] { return measure_error(unit_columns); }}},
       .not_drawn =
-          "the program that turns the camera makes the products; make_view refuses a pose that has "
-          "drifted as far as the naive one",
+          "the products are computed before the renderer gets the camera; make_view refuses a pose "
+          "that has drifted as far as the naive one",
   };
 }
 

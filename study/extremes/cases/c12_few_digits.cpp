@@ -77,12 +77,13 @@ ExtremeCase c12_few_digits() {
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
       .ours = {"make_view", [] { return measure_error(ours); }},
-      .naive = {"used as a rotation without a repair",
+      .naive = {"the printed matrix is used without a repair",
                 [] { return measure_error(taken_for_rigid); }},
-      .mutants = {{"only the lengths of the axes repaired",
+      .mutants = {{"only the lengths of the axes are repaired",
                    [] { return measure_error(unit_columns); }}},
       .not_drawn =
-          "a rotation of so few digits moves a picture of 16384 px by less than the snap does",
+          "the few digits move points of a picture of 16384 px by less than the snap to 1/256 px "
+          "does",
   };
 }
 

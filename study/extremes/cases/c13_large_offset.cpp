@@ -74,13 +74,15 @@ ExtremeCase c13_large_offset() {
       .construction = "an object of size 2 and an eye 7 from it, both 1e2 .. 1e8 from the origin",
       .stage = "to eye space",
       .right_answer =
-          "as if at the origin: 5 u |M||x| in float (2.7e-6), and 55 u offset in double",
+          "the same positions in eye space as at the origin, to 5 u |M||x| in float (2.7e-6) and "
+          "55 u times the offset in double",
       .unit = "world unit",
       .oracle = Oracle::kExtended,
-      .ours = {"composed in double, rounded once",
+      .ours = {"matrices are composed in double and rounded once",
                [] { return measure_error(composed_in_double); }},
       .naive = {"float world positions", [] { return measure_error(naive::through_float_world); }},
-      .mutants = {{"composed in float", [] { return measure_error(naive::composed_in_float); }}},
+      .mutants = {{"matrices are composed in float",
+                   [] { return measure_error(naive::composed_in_float); }}},
       .drawn = measure_drawn_error,
   };
 }

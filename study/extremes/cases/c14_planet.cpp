@@ -69,10 +69,10 @@ ExtremeCase c14_planet() {
       .right_answer = "x and y exactly as modelled, z - 2 rounded once",
       .unit = "m",
       .oracle = Oracle::kRational,
-      .ours = {"composed in double, rounded once",
+      .ours = {"matrices are composed in double and rounded once",
                [] { return measure_error(composed_in_double); }},
       .naive = {"float world positions", [] { return measure_error(naive::through_float_world); }},
-      .mutants = {{"the vertex placed in the world in float",
+      .mutants = {{"vertices are transformed to world space in float",
                    [] { return measure_error(float_view); }}},
       .drawn = measure_drawn_error,
   };

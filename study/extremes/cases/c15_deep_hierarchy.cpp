@@ -53,7 +53,7 @@ Outcome measure_error(Compose compose) {
   const WorldPoint home =
       back ? *back * WorldPoint(double(there[0]), double(there[1]), double(there[2]))
            : WorldPoint(HUGE_VAL, 0, 0);
-  worst.add(length(home - p), 1e-6, "object to world to object");
+  worst.add(length(home - p), 1e-6, "the matrix times its inverse");
   return worst.outcome(fmt::format("{:.1e} there and back", length(home - p)));
 }
 
@@ -102,7 +102,8 @@ ExtremeCase c15_deep_hierarchy() {
       .oracle = Oracle::kExtended,
       .ours = {"products in double, inverse_affine", [] { return measure_error(in_double); }},
       .naive = {"products in float", [] { return measure_error(in_float); }},
-      .mutants = {{"premultiplied: leaf before root", [] { return measure_error(from_the_leaf); }}},
+      .mutants = {{"the factors are in the reverse order: leaf before root",
+                   [] { return measure_error(from_the_leaf); }}},
       .drawn = measure_drawn_error,
   };
 }

@@ -60,8 +60,9 @@ ExtremeCase c16_squashed_normal() {
       .unit = "radian",
       .oracle = Oracle::kRational,
       .ours = {"normal_transform", [] { return measure_error(by_cofactors); }},
-      .naive = {"by M itself", [] { return measure_error(naive::normal_by_matrix); }},
-      .mutants = {{"cofactors transposed",
+      .naive = {"the normal is multiplied by M itself",
+                [] { return measure_error(naive::normal_by_matrix); }},
+      .mutants = {{"the cofactor matrix is transposed",
                    [] { return measure_error(naive::normal_by_transposed_cofactors); }}},
       .drawn = measure_drawn_error,
   };

@@ -144,10 +144,11 @@ ExtremeCase c17_mirrored_model() {
       .unit = "normals and pixels",
       .oracle = Oracle::kProperty,
       .ours = {"normal_transform", [] { return measure_error(by_cofactors); }},
-      .naive = {"cross product of transformed edges", [] { return measure_error(by_edges); }},
-      .mutants = {{"no sign of the determinant",
+      .naive = {"the cross product of the transformed edges",
+                [] { return measure_error(by_edges); }},
+      .mutants = {{"the sign of the determinant is ignored",
                    [] { return measure_error(naive::normal_without_sign); }},
-                  {"winding taken as if there were no mirror", measure_error_without_mirror}},
+                  {"the winding is not reversed for a mirror", measure_error_without_mirror}},
       .drawn = measure_drawn_error,
   };
 }

@@ -23,7 +23,7 @@ Outcome measure_error(TransformNormal transform) {
   // A face that is flattened to a line has no normal; the result must not be NaN.
   const Normal<World> none = transform(flat, {1, 0, 0});
   worst.add(std::isfinite(none.x) && std::isfinite(none.y) && std::isfinite(none.z) ? 0 : HUGE_VAL,
-            0, "a face that has become a line");
+            0, "the face has become a line");
   return worst.outcome();
 }
 
@@ -63,8 +63,9 @@ ExtremeCase c18_flattened_model() {
       .ours = {"normal_transform", [] { return measure_error(by_cofactors); }},
       .naive = {"inverse transpose",
                 [] { return measure_error(naive::normal_by_inverse_transpose); }},
-      .mutants = {{"by M itself", [] { return measure_error(naive::normal_by_matrix); }},
-                  {"cofactors transposed",
+      .mutants = {{"the normal is multiplied by M itself",
+                   [] { return measure_error(naive::normal_by_matrix); }},
+                  {"the cofactor matrix is transposed",
                    [] { return measure_error(naive::normal_by_transposed_cofactors); }}},
       .drawn = measure_drawn_error,
   };

@@ -91,11 +91,11 @@ ExtremeCase c19_order_of_composition() {
       .unit = "world unit",
       .oracle = Oracle::kRational,
       .ours = {"translate * rotate", [] { return measure_error(translation_last); }},
-      .naive = {"in reading order: rotate * translate",
+      .naive = {"the factors in reading order: rotate * translate",
                 [] { return measure_error(in_reading_order); }},
-      .mutants = {{"the product premultiplied", [] { return measure_error(premultiplied); }},
-                  {"the rotation stored row by row",
-                   [] { return measure_error(transposed_storage); }}},
+      .mutants = {{"each factor is put on the wrong side of the product",
+                   [] { return measure_error(premultiplied); }},
+                  {"the rotation is transposed", [] { return measure_error(transposed_storage); }}},
       .drawn = measure_drawn_error,
   };
 }

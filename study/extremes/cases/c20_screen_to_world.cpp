@@ -76,8 +76,7 @@ ExtremeCase c20_screen_to_world() {
       .ours = {"reversed depth, unproject", [] { return measure_error(ours); }},
       .naive = {"inverse 4x4 matrix in float", [] { return measure_error(inverse_in_float); }},
       .mutants = {{"standard depth", [] { return measure_error(standard_depth); }}},
-      .not_drawn =
-          "a picture needs only the way to the screen; the way back says where a pixel is in space",
+      .not_drawn = "a picture needs only the transform to the screen; this case tests its inverse",
   };
 }
 

@@ -79,9 +79,9 @@ ExtremeCase c21_bent_first_corner() {
       .unit = "radian",
       .oracle = Oracle::kExtended,
       .ours = {"newell_vector", [] { return measure_error(newell_in_double); }},
-      .naive = {"cross product of the first three",
+      .naive = {"the cross product of the first three corners",
                 [] { return measure_error(naive::first_corner); }},
-      .mutants = {{"one x for a y, and the last edge missing",
+      .mutants = {{"the sums have an x in place of a y, or miss the last edge",
                    [] { return measure_error(naive::open_newell); }}},
       .drawn = measure_drawn_error,
   };

@@ -69,16 +69,16 @@ ExtremeCase c22_far_polygon() {
       .construction = "a leaning octagon of radius 1 at 0, 1e2, 1e4 and 1e6 along each axis",
       .stage = "face normals",
       .right_answer =
-          "the rational Newell vector of the same floats, to gamma_11 in double: measured from the "
-          "first corner",
+          "the rational Newell vector of the same floats, to gamma_11 in double, because "
+          "coordinates are relative to the first corner",
       .unit = "radian",
       .oracle = Oracle::kRational,
       .ours = {"newell_vector", [] { return measure_error(newell_in_double); }},
-      .naive = {"raw Newell (S4.33) in float",
+      .naive = {"Newell's sums of the coordinates as they are (S4.33), in float",
                 [] { return measure_error(naive::raw_newell<float>); }},
-      .mutants = {{"measured from the first corner, but in float",
+      .mutants = {{"Newell's sums relative to the first corner, but in float",
                    [] { return measure_error(newell_in_float); }},
-                  {"a minus for the plus of the sums",
+                  {"Newell's sums with a minus in place of a plus",
                    [] { return measure_error(naive::newell_of_differences); }}},
       .drawn = measure_drawn_error,
   };

@@ -25,7 +25,7 @@ Outcome measure_error(PolygonNormal normal) {
       ++all;
     }
   }
-  return wrong_count_outcome(reversed, all, "normals reversed");
+  return wrong_count_outcome(reversed, all, "normals are reversed");
 }
 
 // The arrow heads, each with a list that starts at another corner. They must be visible, because a
@@ -67,7 +67,7 @@ ExtremeCase c23_reflex_corner() {
       .unit = "normals",
       .oracle = Oracle::kRational,
       .ours = {"newell_vector", [] { return measure_error(newell_in_double); }},
-      .naive = {"cross product of the first three",
+      .naive = {"the cross product of the first three corners",
                 [] { return measure_error(naive::first_corner); }},
       .mutants = {{"(V1 - V2) x (V3 - V2)", [] { return measure_error(naive::slide_32); }}},
       .drawn = measure_drawn_error,

@@ -30,7 +30,7 @@ Outcome measure_error(HasNormal has_normal) {
     wrong += has_normal(polygon) == flat;
     ++all;
   }
-  return wrong_count_outcome(wrong, all, "faces judged wrongly");
+  return wrong_count_outcome(wrong, all, "faces get a wrong answer");
 }
 
 bool ours(const Polygon& polygon) {
@@ -70,8 +70,9 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
         std::ranges::any_of(shown.pixels, [](std::uint32_t id) { return id != 0; });
     wrong += leaves_trace == flat;
   }
-  return wrong_count_outcome(wrong, int(std::size(faces)),
-                             "faces drawn that have no normal, or not drawn");
+  return wrong_count_outcome(
+      wrong, int(std::size(faces)),
+      "faces are drawn although they have no normal, or are not drawn although they have one");
 }
 
 }  // namespace c24
@@ -88,8 +89,9 @@ ExtremeCase c24_bow_tie() {
       .unit = "faces",
       .oracle = Oracle::kRational,
       .ours = {"face_normal and triangulate", [] { return measure_error(ours); }},
-      .naive = {"cross product of the first three", [] { return measure_error(by_first_corner); }},
-      .mutants = {{"one x for a y, and the last edge missing",
+      .naive = {"the cross product of the first three corners",
+                [] { return measure_error(by_first_corner); }},
+      .mutants = {{"the sums have an x in place of a y, or miss the last edge",
                    [] { return measure_error(by_open_newell); }}},
       .drawn = measure_drawn_error,
   };

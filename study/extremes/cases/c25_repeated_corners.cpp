@@ -40,7 +40,7 @@ Outcome measure_error(Cut cut) {
     wrong += !sound || area != repeating.area;
     ++all;
   }
-  return wrong_count_outcome(wrong, all, "faces cut wrongly");
+  return wrong_count_outcome(wrong, all, "faces are triangulated wrongly");
 }
 
 Triangles ours(const Mesh& mesh) {
@@ -125,7 +125,7 @@ ExtremeCase c25_repeated_corners() {
       .oracle = Oracle::kAnalytic,
       .ours = {"triangulate", [] { return measure_error(ours); }},
       .naive = {"a fan from the first corner", [] { return measure_error(fan); }},
-      .mutants = {{"repetitions found by index alone",
+      .mutants = {{"repeated corners are recognised only by their index",
                    [] { return measure_error(by_index_alone); }}},
       .drawn = measure_drawn_error,
   };

@@ -126,9 +126,9 @@ ExtremeCase c26_bent_quad() {
       .oracle = Oracle::kExtended,
       .ours = {"planarity_deviation and triangulate",
                [] { return measure_error(deviation_from_mean_plane, shared_corners); }},
-      .naive = {"plane of the first three corners, diagonal from the first",
+      .naive = {"the plane of the first three corners, and the diagonal from the first corner",
                 [] { return measure_error(deviation_from_first_three, from_the_first_corner); }},
-      .mutants = {{"the diagonal from the first corner",
+      .mutants = {{"the diagonal always begins at the first corner",
                    [] { return measure_error(deviation_from_mean_plane, from_the_first_corner); }}},
       .drawn = measure_drawn_error,
   };

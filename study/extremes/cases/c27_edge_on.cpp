@@ -37,8 +37,8 @@ Outcome measure_error(FacingTest facing) {
     wrong += found != Facing::kEdgeOn;
     culled += found == Facing::kBack;
   }
-  return wrong_count_outcome(wrong, kFaces, "edge-on faces judged wrongly",
-                             fmt::format("; {} culled", culled));
+  return wrong_count_outcome(wrong, kFaces, "edge-on faces were classified wrongly",
+                             fmt::format("; {} were culled", culled));
 }
 
 Facing ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {
@@ -102,12 +102,13 @@ ExtremeCase c27_edge_on() {
       .construction =
           "2000 triangles of integers times 2^-10, the eye an integer combination of their corners",
       .stage = "back faces",
-      .right_answer = "exactly edge-on, which counts as front, covers no pixel and never flickers",
+      .right_answer =
+          "the face is found to be exactly edge-on; it counts as a front face and covers no pixel",
       .unit = "faces",
       .oracle = Oracle::kRational,
       .ours = {"test_back_face", [] { return measure_error(ours); }},
       .naive = {"(P - eye) . m in float", [] { return measure_error(naive::facing<float>); }},
-      .mutants = {{"no exact sum where the bound is exceeded",
+      .mutants = {{"the exact sum is not computed where rounding errors may decide",
                    [] { return measure_error(without_fallback); }}},
       .drawn = measure_drawn_error,
   };

@@ -53,8 +53,8 @@ Outcome measure_error(FacingTest facing) {
       ++all;
     }
   }
-  return wrong_count_outcome(wrong, all, "signs wrong",
-                             fmt::format("; {} decided by the exact sum", exact));
+  return wrong_count_outcome(wrong, all, "signs are wrong",
+                             fmt::format("; {} were decided by the exact sum", exact));
 }
 
 Answer ours(std::span<const Point<Object>> face, const ObjectViewer& viewer) {

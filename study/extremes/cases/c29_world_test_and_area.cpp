@@ -65,8 +65,8 @@ Outcome measure_error(CullTest culls) {
     ++all;
   }
   // The tested code must not pass by culling nothing: about half of the 20000 faces are back faces.
-  if (culled < 5000) return must_be_zero(HUGE_VAL, "hardly anything culled");
-  return wrong_count_outcome(lost, all, "culled faces would have been drawn as front faces");
+  if (culled < 5000) return must_be_zero(HUGE_VAL, "fewer than 5,000 triangles were culled");
+  return wrong_count_outcome(lost, all, "of the culled faces would have been drawn as front faces");
 }
 
 bool ours(std::span<const Point<Object>> face, const ObjectViewer& viewer, double margin) {
@@ -120,7 +120,8 @@ ExtremeCase c29_world_test_and_area() {
       .oracle = Oracle::kInteger,
       .ours = {"certainly_back with snapping_margin", [] { return measure_error(ours); }},
       .naive = {"(P - eye) . m > 0 in float", [] { return measure_error(any_back_in_float); }},
-      .mutants = {{"no margin for the snap", [] { return measure_error(exact_but_no_margin); }}},
+      .mutants = {{"the test leaves no margin for the snap",
+                   [] { return measure_error(exact_but_no_margin); }}},
       .drawn = measure_drawn_error,
   };
 }

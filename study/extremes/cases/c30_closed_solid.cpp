@@ -67,7 +67,7 @@ Outcome measure_error(CullBy::Rule rule) {
       covered += before;
     }
   }
-  return wrong_count_outcome(different, covered, "covered pixels lost");
+  return wrong_count_outcome(different, covered, "covered pixels are lost by culling");
 }
 
 // The test of the slide with the camera's gaze instead of the line of sight: it is right only for
@@ -122,8 +122,9 @@ ExtremeCase c30_closed_solid() {
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"the sign of the snapped area", [] { return measure_error(nullptr); }},
-      .naive = {"normal against the camera's gaze", [] { return measure_error(by_gaze); }},
-      .mutants = {{"culled from six degrees before edge-on",
+      .naive = {"the normal is compared with the direction of the camera's gaze",
+                [] { return measure_error(by_gaze); }},
+      .mutants = {{"faces within six degrees of edge-on are culled too",
                    [] { return measure_error(before_edge_on); }}},
       .drawn = measure_drawn_error,
   };

@@ -76,7 +76,8 @@ ExtremeCase c31_sign_conflict() {
       .oracle = Oracle::kRational,
       .ours = {"three_point_normal", [] { return measure_error(ours); }},
       .naive = {"S4.32: (V1 - V2) x (V3 - V2)", [] { return measure_error(naive::slide_32); }},
-      .mutants = {{"the factors exchanged", [] { return measure_error(factors_exchanged); }}},
+      .mutants = {{"the factors of the cross product are exchanged",
+                   [] { return measure_error(factors_exchanged); }}},
       .drawn = measure_drawn_error,
   };
 }

@@ -70,9 +70,9 @@ ExtremeCase c32_through_the_eye() {
       .oracle = Oracle::kRational,
       .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
       .naive = {"divide without clipping", [] { return measure_error(naive::nothing); }},
-      .mutants = {{"a quadrilateral drawn as one triangle",
+      .mutants = {{"only one triangle of a clipped quadrilateral is drawn",
                    [] { return measure_error(one_triangle); }},
-                  {"the crossing measured from the wrong end",
+                  {"the crossing is measured from the wrong end of the edge",
                    [] { return measure_error(wrong_end); }}},
       .drawn = measure_drawn_error,
   };

@@ -38,7 +38,7 @@ Outcome measure_error(ClipFunction clips) {
     }
   }
   return wrong_count_outcome(wrong, vertices,
-                             "vertices are outside the guard band, or have too small a w");
+                             "vertices are outside the guard band, or their w is too small");
 }
 
 Outline without_eye_plane(const ClipTriangle& t, std::span<const ClipPlane> planes) {
@@ -83,8 +83,10 @@ ExtremeCase c33_w_towards_zero() {
       .oracle = Oracle::kProperty,
       .ours = {"clip_triangle by render_planes", [] { return measure_error(pipeline_clips); }},
       .naive = {"divide without clipping", [] { return measure_error(naive::nothing); }},
-      .mutants = {{"no eye plane", [] { return measure_error(without_eye_plane); }},
-                  {"no guard band", [] { return measure_error(without_guard_band); }}},
+      .mutants = {{"nothing is clipped at the plane of the eye",
+                   [] { return measure_error(without_eye_plane); }},
+                  {"nothing is clipped at the guard band",
+                   [] { return measure_error(without_guard_band); }}},
       .drawn = measure_drawn_error,
   };
 }

@@ -101,9 +101,9 @@ ExtremeCase c34_signs_of_w() {
       .oracle = Oracle::kRational,
       .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
       .naive = {"divide without clipping", [] { return measure_error(naive::nothing); }},
-      .mutants = {{"no test for w > 0: clipped after the divide",
+      .mutants = {{"clipping after the divide, without a test for w > 0",
                    [] { return measure_error(sides_after_divide); }},
-                  {"|w| for w", [] { return measure_error(absolute_w); }}},
+                  {"|w| in place of w", [] { return measure_error(absolute_w); }}},
       .drawn = measure_drawn_error,
   };
 }

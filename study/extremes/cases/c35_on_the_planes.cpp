@@ -34,8 +34,8 @@ Outcome measure_error(ClipFunction clips) {
     wrong += repeats || outline.size() > 9 || outline.size() == 1 || outline.size() == 2 ||
              !(area_error(outline, t, planes) <= kBound);
   }
-  return wrong_count_outcome(wrong, kTriangles, "polygons wrong",
-                             fmt::format("; {} with repeated vertices", repeated));
+  return wrong_count_outcome(wrong, kTriangles, "polygons are wrong",
+                             fmt::format("; {} of them have repeated vertices", repeated));
 }
 
 Outline on_the_plane_is_outside(const ClipTriangle& t, std::span<const ClipPlane> planes) {
@@ -86,8 +86,9 @@ ExtremeCase c35_on_the_planes() {
       .unit = "polygons",
       .oracle = Oracle::kRational,
       .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
-      .naive = {"distance > 0 for inside", [] { return measure_error(on_the_plane_is_outside); }},
-      .mutants = {{"repeated vertices kept", [] { return measure_error(repetitions_kept); }}},
+      .naive = {"a vertex on a plane counts as outside",
+                [] { return measure_error(on_the_plane_is_outside); }},
+      .mutants = {{"repeated vertices are kept", [] { return measure_error(repetitions_kept); }}},
       .drawn = measure_drawn_error,
   };
 }

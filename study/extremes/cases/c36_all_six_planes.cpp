@@ -71,8 +71,9 @@ ExtremeCase c36_all_six_planes() {
       .unit = "twice NDC area",
       .oracle = Oracle::kRational,
       .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
-      .naive = {"a fixed array of 8", [] { return measure_error(array_of_eight); }},
-      .mutants = {{"the last plane forgotten", [] { return measure_error(five_planes); }}},
+      .naive = {"the polygon has room for 8 vertices only",
+                [] { return measure_error(array_of_eight); }},
+      .mutants = {{"the last plane is forgotten", [] { return measure_error(five_planes); }}},
       .drawn = measure_drawn_error,
   };
 }

@@ -119,15 +119,15 @@ ExtremeCase c37_layers_inverse() {
           "near/distance",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
-      .ours = {"near/distance, C1^-1 in double",
+      .ours = {"depth is near/distance, and the inverse C1^-1 is computed in double",
                [] { return measure_error(near_over_distance, in_double); }},
-      .naive = {"0..1 depth, all in float",
+      .naive = {"depth is 0..1, and all is computed in float",
                 [] { return measure_error(standard_depth, all_in_float); }},
-      .mutants = {{"0..1 depth, C1^-1 in double",
+      .mutants = {{"depth is 0..1, and the inverse C1^-1 is computed in double",
                    [] { return measure_error(standard_depth, standard_in_double); }},
-                  {"near/distance, C1^-1 in float",
+                  {"depth is near/distance, and the inverse C1^-1 is computed in float",
                    [] { return measure_error(near_over_distance, inverse_in_float); }}},
-      .not_drawn = "views/layers warps the samples, without an engine",
+      .not_drawn = "views/layers warps the samples; no engine of glassbox render takes part",
   };
 }
 

@@ -43,7 +43,7 @@ Outcome measure_error(ClipFunction clips) {
   }
   const std::string how_far =
       fmt::format(" ({:.1f} %), up to {:.2g} apart", 100.0 * mismatches / edges, apart);
-  return wrong_count_outcome(mismatches, edges, "shared edges cut at two different places",
+  return wrong_count_outcome(mismatches, edges, "shared edges were cut at two different places",
                              mismatches > 0 ? how_far : "");
 }
 
@@ -109,7 +109,8 @@ ExtremeCase c38_shared_clipped_edge() {
       .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},
       .naive = {"a + t (b - a)", [] { return measure_error(asymmetric); }},
       .mutants = {{"(1 - t) a + t b", [] { return measure_error(one_minus_t); }},
-                  {"t in double, then rounded", [] { return measure_error(t_in_double); }}},
+                  {"t is computed in double, then rounded",
+                   [] { return measure_error(t_in_double); }}},
       .drawn = measure_drawn_error,
   };
 }

@@ -158,9 +158,12 @@ ExtremeCase c40_guard_band() {
       .unit = "pixels",
       .oracle = Oracle::kExtended,
       .ours = {"clip_triangle by the guard band", [] { return measure_error(ours); }},
-      .naive = {"no guard band, 32-bit integers", [] { return measure_error(as_x86_converts); }},
-      .mutants = {{"coordinates clamped to the guard band", [] { return measure_error(clamped); }},
-                  {"coordinates kept to 24 bits", [] { return measure_error(kept_to_24_bits); }}},
+      .naive = {"no guard band, and 32-bit integers",
+                [] { return measure_error(as_x86_converts); }},
+      .mutants = {{"coordinates are clamped to the guard band",
+                   [] { return measure_error(clamped); }},
+                  {"only 24 bits of each coordinate are kept",
+                   [] { return measure_error(kept_to_24_bits); }}},
       .drawn = measure_drawn_error,
   };
 }

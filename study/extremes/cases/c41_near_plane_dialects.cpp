@@ -23,7 +23,7 @@ Outcome measure_error(NearPlane near_plane) {
       ++points;
     }
   }
-  return wrong_count_outcome(wrong, points, "points on the wrong side");
+  return wrong_count_outcome(wrong, points, "points are on the wrong side of the near plane");
 }
 
 ClipPlane near_plane_of_dialect(const ApiDialect& dialect) {
@@ -54,7 +54,7 @@ ExtremeCase c41_near_plane_dialects() {
       .ours = {"clip_planes of the dialect", [] { return measure_error(near_plane_of_dialect); }},
       .naive = {"z >= 0 for every dialect", [] { return measure_error(always_zero); }},
       .mutants = {{"z >= -w for every dialect", [] { return measure_error(always_minus_w); }}},
-      .not_drawn = "the renderer has one dialect of matrices, and draws no picture in the other",
+      .not_drawn = "the renderer has only one clip space, so it cannot draw the other one",
   };
 }
 

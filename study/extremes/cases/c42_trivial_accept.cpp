@@ -40,9 +40,10 @@ Outcome measure_error(Verdict verdict) {
              (found == ClipVerdict::kReject && !clipped.empty());
     spared += found != ClipVerdict::kClip;
   }
-  if (spared < kTriangles / 10) return must_be_zero(HUGE_VAL, "hardly any clipping avoided");
+  if (spared < kTriangles / 10)
+    return must_be_zero(HUGE_VAL, "clipping was avoided for less than a tenth of the triangles");
   return wrong_count_outcome(wrong, kTriangles, "triangles differ from the clipped ones",
-                             fmt::format("; clipping avoided for {}", spared));
+                             fmt::format("; clipping was avoided for {}", spared));
 }
 
 // Rejects a triangle if each corner is outside some plane, even if it is not the same plane for
@@ -180,7 +181,7 @@ Outcome measure_near_pane_error(const TestedEngine& engine) {
   }
   if (all.shown == 0) return must_be_zero(HUGE_VAL, "no pane was drawn");
   return wrong_count_outcome(int(all.changed), int(all.shown),
-                             "pixels of panes depend on what else their mesh has");
+                             "pixels of panes change if their mesh has more triangles");
 }
 
 Outcome measure_drawn_error(const TestedEngine& engine) {
@@ -212,10 +213,10 @@ ExtremeCase c42_trivial_accept() {
           "returns nothing",
       .unit = "triangles",
       .oracle = Oracle::kProperty,
-      .ours = {"trivial_verdict of the outcodes", [] { return measure_error(trivial_verdict); }},
-      .naive = {"rejected where every corner is outside",
+      .ours = {"trivial_verdict from the outcodes", [] { return measure_error(trivial_verdict); }},
+      .naive = {"a triangle is rejected if every corner is outside some plane",
                 [] { return measure_error(all_corners_outside); }},
-      .mutants = {{"accepted where one corner is inside",
+      .mutants = {{"a triangle is accepted if one corner is inside",
                    [] { return measure_error(one_corner_inside); }}},
       .drawn = measure_drawn_error,
   };

@@ -43,8 +43,8 @@ Outcome measure_error(const CoverageFunction& covers) {
   }
   if (worst == 0)
     return must_be_zero(0, fmt::format("the centre is covered once in each of {} fans", fans));
-  return must_be_zero(
-      worst, fmt::format("{} of {} fans wrong, worst with {} triangles", wrong, fans, worst_fan));
+  return must_be_zero(worst, fmt::format("{} of {} fans are wrong; the worst one has {} triangles",
+                                         wrong, fans, worst_fan));
 }
 
 // All fans side by side in one picture.
@@ -80,15 +80,16 @@ ExtremeCase c44_fan() {
       .construction = "3 to 256 triangles that meet at (10.5, 10.5), radius 8 px",
       .stage = "coverage",
       .right_answer = "the centre belongs to exactly one of them",
-      .unit = "hits too many or too few",
+      .unit = "hits of the centre, too many or too few",
       .oracle = Oracle::kInteger,
       .ours = {"integer edge functions, top-left rule",
                [] { return measure_error(pipeline_covers); }},
       .naive = {"float cross products, >= 0", [] { return measure_error(naive::float_covers); }},
       .mutants = {{"the tie rule is missing: no triangle owns an edge",
                    with({.owns = naive::owns_none})},
-                  {"every edge owns its points", with({.owns = naive::owns_all})},
-                  {"top edges are forgotten", with({.owns = naive::left_only})}},
+                  {"every triangle owns all pixel centres on its edges",
+                   with({.owns = naive::owns_all})},
+                  {"horizontal top edges own no pixel centres", with({.owns = naive::left_only})}},
       .drawn = measure_drawn_error,
       .pictures =
           {{"naive",

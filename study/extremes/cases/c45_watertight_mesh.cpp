@@ -69,13 +69,14 @@ ExtremeCase c45_watertight_mesh() {
           "teapot of 9,000 triangles as well",
       .stage = "coverage",
       .right_answer =
-          "every pixel exactly once: edge functions are integers, and one side owns each edge",
+          "every pixel is covered exactly once, because edge functions are integers and each edge "
+          "belongs to one triangle",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"integer edge functions, top-left rule",
                [] { return measure_error(pipeline_covers); }},
       .naive = {"float cross products, >= 0", [] { return measure_error(naive::float_covers); }},
-      .mutants = {{"float edges: differences from each edge's first vertex",
+      .mutants = {{"float edge functions, relative to each edge's first vertex",
                    [] { return with({.inside = naive::float_difference_inside}); }},
                   {"the tie rule is missing: no triangle owns an edge",
                    [] { return with({.owns = naive::owns_none}); }}},

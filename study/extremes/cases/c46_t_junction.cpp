@@ -63,9 +63,10 @@ Outcome measure_error(bool insert_the_vertex, bool predict) {
     faults += faults_along(insert_the_vertex ? j.with_vertex_inserted() : j.with_junction());
     if (predict) foretold += std::abs(faults_along(j.with_junction()) - predicted(j));
   }
-  return must_be_zero(faults + foretold,
-                      fmt::format("{} pixels not covered once along 2,000 edges{}", faults,
-                                  predict ? "; those of the T-junctions are as predicted" : ""));
+  return must_be_zero(
+      faults + foretold,
+      fmt::format("{} pixels along 2,000 edges are not covered exactly once{}", faults,
+                  predict ? "; the wrong pixels at T-junctions are the predicted ones" : ""));
 }
 
 // Pictures with m inserted into the upper triangle too, and without that: no rasterizer can repair
@@ -96,7 +97,8 @@ Outcome measure_copies_error() {
     faults += faults_along(
         {{j.a, j.m, j.top}, {j.m, j.b, j.top}, {j.a, copy, j.bottom}, {copy, j.b, j.bottom}});
   }
-  return must_be_zero(faults, fmt::format("{} pixels not covered once along 2,000 edges", faults));
+  return must_be_zero(
+      faults, fmt::format("{} pixels along 2,000 edges are not covered exactly once", faults));
 }
 
 }  // namespace c46
@@ -115,7 +117,8 @@ ExtremeCase c46_t_junction() {
           "sliver between the snapped vertex and the edge, which no rasterizer can close",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"the vertex inserted on both sides", [] { return measure_error(true, true); }},
+      .ours = {"the vertex is inserted into the edge on both sides",
+               [] { return measure_error(true, true); }},
       .naive = {"a mesh with T-junctions", [] { return measure_error(false, false); }},
       .mutants = {{"one side has a copy of the vertex 1/256 px lower", measure_copies_error}},
       .drawn = measure_drawn_error,

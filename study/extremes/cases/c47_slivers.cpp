@@ -94,7 +94,7 @@ ExtremeCase c47_slivers() {
       .oracle = Oracle::kInteger,
       .ours = {"integer edge functions", measure_our_error},
       .naive = {"float cross products, >= 0", [] { return measure_error(naive::float_covers); }},
-      .mutants = {{"float edges: differences from each edge's first vertex",
+      .mutants = {{"float edge functions, relative to each edge's first vertex",
                    [] {
                      return measure_error(
                          naive::covers_with({.inside = naive::float_difference_inside}));

@@ -84,11 +84,10 @@ Outcome measure_error(const Draws& draws) {
     found.add(times);
   }
   const std::int64_t faults = found.gaps + found.doubles;
-  return must_be_zero(
-      double(faults + not_numbers),
-      fmt::format(
-          "{} triangles without area; {} pixels not covered once, {} weights that are not numbers",
-          lines, faults, not_numbers));
+  return must_be_zero(double(faults + not_numbers),
+                      fmt::format("{} triangles have no area; {} pixels are not covered exactly "
+                                  "once, {} weights are not numbers",
+                                  lines, faults, not_numbers));
 }
 
 Outcome measure_drawn_error(const TestedEngine& engine) {
@@ -117,9 +116,11 @@ ExtremeCase c49_zero_area() {
           "watertight",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"dropped at setup", [] { return measure_error(pipeline_draws); }},
-      .naive = {"not dropped", [] { return measure_error(draws_without_dropping); }},
-      .mutants = {{"triangles of less than 256 px are dropped",
+      .ours = {"triangles without area are dropped at setup",
+               [] { return measure_error(pipeline_draws); }},
+      .naive = {"triangles without area are not dropped",
+                [] { return measure_error(draws_without_dropping); }},
+      .mutants = {{"triangles with an area below 256 px are dropped",
                    [] { return measure_error(drops_small_ones); }}},
       .drawn = measure_drawn_error,
   };

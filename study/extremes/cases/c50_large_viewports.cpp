@@ -68,10 +68,10 @@ ExtremeCase c50_large_viewports() {
       .id = "C-50",
       .name = "8 K and 32 K viewports",
       .construction =
-          "4,000 random triangles each over 7,680 and 32,767 px, asked at four places along an "
-          "edge, 3 x 3 pixels around each",
+          "4,000 random triangles each over 7,680 and 32,767 px, tested at 3 x 3 pixels around "
+          "four places along an edge",
       .stage = "coverage",
-      .right_answer = "exact: edge functions have at most 52 of 63 bits",
+      .right_answer = "the coverage is exact, because edge functions need at most 52 of 63 bits",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"64-bit edge functions", [] { return measure_error(pipeline_covers); }},
@@ -80,7 +80,7 @@ ExtremeCase c50_large_viewports() {
                    [] {
                      return measure_error(naive::covers_with({.inside = naive::int32_inside}));
                    }},
-                  {"float edges: differences from each edge's first vertex",
+                  {"float edge functions, relative to each edge's first vertex",
                    [] {
                      return measure_error(
                          naive::covers_with({.inside = naive::float_difference_inside}));

@@ -26,7 +26,7 @@ Outcome measure_error(std::int32_t (*snap)(float)) {
       }
     }
   }
-  return errors.outcome("positions snapped to another place");
+  return errors.outcome("positions are snapped to another place");
 }
 
 // 4,096 small triangles whose corners are up to 3/4 of a snapping step away from pixel centres,
@@ -64,17 +64,18 @@ ExtremeCase c52_snap_ties() {
       .construction =
           "positions k/512 px around 0, +-1024 and 32768 px, and their neighbours in float",
       .stage = "snap",
-      .right_answer = "floor(256 v + 1/2), the same everywhere: halves go up",
+      .right_answer = "floor(256 v + 1/2), so halves are rounded up everywhere",
       .unit = "1/256 px",
       .oracle = Oracle::kInteger,
-      .ours = {"halves up, exactly", [] { return measure_error(glassbox::snap); }},
-      .naive = {"std::round: halves away from zero",
+      .ours = {"halves are rounded up, exactly", [] { return measure_error(glassbox::snap); }},
+      .naive = {"std::round, which rounds halves away from zero",
                 [] { return measure_error(naive::snap_away); }},
-      .mutants = {{"halves to even, as the processor rounds",
+      .mutants = {{"halves are rounded to even, as the processor does",
                    [] { return measure_error(naive::snap_to_even); }},
-                  {"floor(256 v + 0.5) with a rounded sum",
+                  {"floor(256 v + 0.5), whose sum is rounded in float",
                    [] { return measure_error(naive::snap_float_half); }},
-                  {"truncation", [] { return measure_error(naive::snap_truncating); }}},
+                  {"the position is truncated",
+                   [] { return measure_error(naive::snap_truncating); }}},
       .drawn = measure_drawn_error,
   };
 }

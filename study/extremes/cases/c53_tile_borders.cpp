@@ -86,7 +86,7 @@ ExtremeCase c53_tile_borders() {
           "beside them; "
           "tiles of 16 to 256 px, 1 to 16 threads",
       .stage = "tiles",
-      .right_answer = "every pixel as often as in 128 bits, without tiles",
+      .right_answer = "every pixel is covered as often as without tiles, in 128 bits",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"the tile engine", [] { return measure_error(tile_engine_coverage); }},

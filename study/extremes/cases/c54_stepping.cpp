@@ -99,10 +99,11 @@ ExtremeCase c54_stepping() {
           "stepped as integers, and the weights of every pixel are computed from them",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
-      .ours = {"integers stepped, floats computed anew",
-               [] { return measure_error(pipeline_span); }},
+      .ours =
+          {"integers are stepped from pixel to pixel, and floats are computed anew for each pixel",
+           [] { return measure_error(pipeline_span); }},
       .naive = {"u += du in float", [] { return measure_error(stepped_span); }},
-      .mutants = {{"restarted only every 1024 pixels",
+      .mutants = {{"floats are stepped, and computed anew only every 1024 pixels",
                    [] {
                      return measure_error([](const auto& visit) { anchored_span(1024, visit); });
                    }}},

@@ -73,7 +73,8 @@ std::int64_t fixture_faults(const DrawsLine& draws) {
 Outcome measure_error(const DrawsLine& draws) {
   const std::int64_t joints = joint_faults(draws), fixtures = fixture_faults(draws);
   return must_be_zero(double(joints + fixtures),
-                      fmt::format("{} pixels wrong at joints of 4,000 lines, {} in the fixtures",
+                      fmt::format("{} pixels are wrong where 4,000 lines join, and {} in lines and "
+                                  "points with known pixels",
                                   joints, fixtures));
 }
 
@@ -148,9 +149,10 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
       points += layers_of(shown.at(x, 2)) != int(is_lit);
     }
   }
-  Outcome outcome = must_be_zero(double(joints + points),
-                                 fmt::format("{} pixels wrong at joints of {} lines, {} of points",
-                                             joints, whole.size(), points));
+  Outcome outcome =
+      must_be_zero(double(joints + points),
+                   fmt::format("{} pixels are wrong where {} lines join, and {} of points", joints,
+                               whole.size(), points));
   if (lit < std::int64_t(whole.size())) outcome.error = HUGE_VAL;  // nothing was drawn
   return outcome;
 }
@@ -163,19 +165,21 @@ ExtremeCase c55_lines_and_points() {
       .id = "C-55",
       .name = "Lines and points",
       .construction =
-          "4,000 lines with ends on quarters of pixels, whole and cut in two on a lattice point; "
-          "lines of four pixels in six directions; points on quarters of pixels",
+          "4,000 lines with ends on quarters of pixels, each also cut in two at a point on "
+          "quarters of pixels; lines of four pixels in six directions; points on quarters of "
+          "pixels",
       .stage = "lines",
       .right_answer =
-          "diamond exit: cut or whole, the same pixels, none twice; four of the five pixels from "
-          "centre to centre",
+          "the diamond-exit rule: a line that is cut in two has the same pixels as the whole line, "
+          "none of them twice; a line from centre to centre over five pixels has the first four",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"diamond exit on integers", measure_our_error},
-      .naive = {"Bresenham with both ends", [] { return measure_error(naive::bresenham); }},
+      .ours = {"the diamond-exit rule in integers", measure_our_error},
+      .naive = {"Bresenham's lines with both end pixels",
+                [] { return measure_error(naive::bresenham); }},
       .mutants = {{"the last pixel is drawn as well",
                    [] { return measure_error(naive::line_with_last_pixel); }},
-                  {"the first pixel only where its centre is passed",
+                  {"the first pixel is drawn only if the line passes its centre",
                    [] { return measure_error(naive::line_without_start); }}},
       .drawn = measure_drawn_error,
   };

@@ -39,7 +39,7 @@ Outcome measure_error(const DepthAt& depth) {
       });
     }
   }
-  return errors.outcome("samples beyond 8 u");
+  return errors.outcome("samples are wrong by more than 8 u");
 }
 
 // 64 triangles whose farthest edge goes through pixel centres, and a wall that is as far away as
@@ -69,8 +69,9 @@ Outcome measure_tie_error(const TestedEngine& engine) {
       }
     }
   }
-  return must_be_zero(double(wrong),
-                      fmt::format("{} of {} pixels decide a tie differently", wrong, all));
+  return must_be_zero(
+      double(wrong),
+      fmt::format("in {} of {} pixels the order of equal depths is wrong", wrong, all));
 }
 
 // Two rectangles whose computed depths are the same, although the exact depth of the second one is
@@ -91,8 +92,9 @@ Outcome measure_pane_order_error(const TestedEngine& engine) {
     all.shown += found.shown;
   }
   if (all.shown == 0) return must_be_zero(HUGE_VAL, "no pane was drawn");
-  return wrong_count_outcome(int(all.changed), int(all.shown),
-                             "pixels of panes show the pane that was drawn second");
+  return wrong_count_outcome(
+      int(all.changed), int(all.shown),
+      "pixels of panes show the pane that was drawn second instead of the first");
 }
 
 // Triangles of one plane in a picture of 256 x 256 pixels; compares the depths that the engine
@@ -135,10 +137,10 @@ ExtremeCase c57_coplanar() {
           "equal depths the first one stays",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
-      .ours = {"weights, differences from the nearest vertex",
+      .ours = {"weights of differences from the nearest vertex",
                [] { return measure_error(pipeline_depth); }},
       .naive = {"d = A x + B y + C in float", [] { return measure_error(naive::plane_depth); }},
-      .mutants = {{"gradients from the corner of the box",
+      .mutants = {{"depth from gradients, starting at the corner of the triangle's box",
                    [] { return measure_error(naive::depth_from_corner); }}},
       .drawn = measure_drawn_error,
   };

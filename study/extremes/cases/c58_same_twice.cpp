@@ -41,8 +41,9 @@ Outcome measure_error(const Image<int>& seen) {
   const auto copies =
       std::ranges::count_if(seen.pixels, [](int id) { return id > 0 && id % 2 == 0; });
   const auto drawn = std::ranges::count_if(seen.pixels, [](int id) { return id > 0; });
-  return must_be_zero(double(copies),
-                      fmt::format("{} of {} pixels show the copy drawn second", copies, drawn));
+  return must_be_zero(
+      double(copies),
+      fmt::format("{} of {} pixels show the triangle that was drawn second", copies, drawn));
 }
 
 Image<Rgba8> stipple(const Image<int>& seen) {
@@ -74,12 +75,12 @@ ExtremeCase c58_same_twice() {
           "vertex",
       .stage = "depth test",
       .right_answer =
-          "the first stays everywhere: depth is summed from the nearest vertex on, whichever came "
-          "first, and the test is strict",
+          "the first stays everywhere, because depth is summed from the nearest vertex whatever "
+          "the order of the vertices is, and an equal depth does not pass the test",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"the staged reference", [] { return measure_drawn_error(tested_engines()[0]); }},
-      .naive = {"depth summed in the order of the vertices",
+      .naive = {"depth is summed in the order of the vertices",
                 [] { return measure_error(z_buffered(pairs(), kSide, kGivenOrder)); }},
       .mutants = {{"equal depths pass the test",
                    [] {

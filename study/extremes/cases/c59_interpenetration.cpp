@@ -88,7 +88,7 @@ ExtremeCase c59_interpenetration() {
       .ours = {"the staged reference, float depth",
                [] { return measure_drawn_error(tested_engines()[0]); }},
       .naive = {"painter's algorithm", [] { return measure_error(painted); }},
-      .mutants = {{"16 bits of depth", [] { return measure_error(in_16_bits); }}},
+      .mutants = {{"depth has only 16 bits", [] { return measure_error(in_16_bits); }}},
       .drawn = measure_drawn_error,
   };
 }

@@ -31,7 +31,7 @@ Outcome measure_error(const DepthAt& depth) {
       errors.add(exact == 0 ? 0 : double(std::abs(found - exact) / exact) * 0x1p24);
     });
   }
-  return errors.outcome("pixels beyond 8 u");
+  return errors.outcome("pixels are wrong by more than 8 u");
 }
 
 // Slivers of this kind, a quarter as long, in separate rows; only a few are drawn together, so that
@@ -71,8 +71,8 @@ ExtremeCase c60_depth_extrapolation() {
           "between the vertices'",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
-      .ours = {"weights from integers", [] { return measure_error(pipeline_depth); }},
-      .naive = {"gradients from the corner of the box",
+      .ours = {"barycentric weights from integers", [] { return measure_error(pipeline_depth); }},
+      .naive = {"depth from gradients, starting at the corner of the triangle's box",
                 [] { return measure_error(naive::depth_from_corner); }},
       .mutants = {{"d = A x + B y + C in float", [] { return measure_error(naive::plane_depth); }}},
       .drawn = measure_drawn_error,

@@ -34,7 +34,7 @@ Outcome measure_error(std::uint32_t (*code)(float)) {
     const float tie = float((k + 0.5) / 16777215);
     for (const float z : {std::nextafter(tie, 0.0f), tie, std::nextafter(tie, 1.0f)}) ask(z);
   }
-  return errors.outcome("codes wrong");
+  return errors.outcome("codes are wrong");
 }
 
 std::uint32_t pipeline_code(float z) {
@@ -62,7 +62,7 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
       }
     }
   }
-  return wrong_count_outcome(wrong, all, "codes are not the nearest");
+  return wrong_count_outcome(wrong, all, "depth codes are not the nearest ones");
 }
 
 }  // namespace c61
@@ -78,11 +78,12 @@ ExtremeCase c61_unorm24_ends() {
       .right_answer = "floor(z (2^24 - 1) + 1/2) in 128 bits; 1 is 0xffffff",
       .unit = "codes",
       .oracle = Oracle::kInteger,
-      .ours = {"in double", [] { return measure_error(pipeline_code); }},
-      .naive = {"z 2^24, 24 bits kept", [] { return measure_error(naive::unorm24_wrapping); }},
-      .mutants = {{"depth end points: truncated in place of rounded",
+      .ours = {"rounded in double", [] { return measure_error(pipeline_code); }},
+      .naive = {"z 2^24, of which 24 bits are kept",
+                [] { return measure_error(naive::unorm24_wrapping); }},
+      .mutants = {{"truncated in place of rounded",
                    [] { return measure_error(naive::unorm24_truncating); }},
-                  {"in float", [] { return measure_error(naive::unorm24_in_float); }}},
+                  {"rounded in float", [] { return measure_error(naive::unorm24_in_float); }}},
       .drawn = measure_drawn_error,
   };
 }

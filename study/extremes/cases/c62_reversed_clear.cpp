@@ -37,7 +37,7 @@ Outcome measure_error(const DepthTest& test) {
       }
     }
   }
-  return wrong_count_outcome(wrong, questions, "answers of the depth test wrong");
+  return wrong_count_outcome(wrong, questions, "answers of the depth test are wrong");
 }
 
 // Draws a picture of 16 x 16 pixels in this format and returns the number of the triangle in each
@@ -114,14 +114,14 @@ ExtremeCase c62_reversed_clear() {
       .right_answer = "a single triangle is always seen, and of two triangles the nearer one",
       .unit = "wrong answers",
       .oracle = Oracle::kProperty,
-      .ours = {"codes that grow with distance, an empty frame behind all of them",
+      .ours = {"depth codes grow with distance, and an empty buffer is behind all of them",
                [] { return measure_error({}); }},
-      .naive = {"depth cleared to 1 and tested with <, for reversed depth too",
+      .naive = {"depth is cleared to 1 and tested with <, even for reversed depth",
                 [] {
                   return measure_error(
                       {.code = raw_bits, .clear = std::bit_cast<std::uint32_t>(1.0f)});
                 }},
-      .mutants = {{"cleared to the far plane's depth, which hides triangles on this plane",
+      .mutants = {{"depth is cleared to the far plane's depth, which hides triangles on this plane",
                    [] { return measure_error({.clear = std::bit_cast<std::uint32_t>(1.0f)}); }},
                   {"the test is reversed",
                    [] {

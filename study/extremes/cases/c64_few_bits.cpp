@@ -18,9 +18,10 @@ Outcome measure_error(Expected expected) {
       const double really = standard_separation(distance, path.near, path.far, step);
       const double confused = coarsest_confused(path, distance, really);
       const double said = expected(path, distance, step);
-      worst.add(
-          std::max(confused / said, said / confused), 2,
-          fmt::format("{:.2g} at the distance {}, expected {:.2g}", confused, distance, said));
+      worst.add(std::max(confused / said, said / confused), 2,
+                fmt::format("the smallest relative distance that is resolved is {:.2g} at the "
+                            "distance {}, but {:.2g} is expected",
+                            confused, distance, said));
     }
   }
   return worst.outcome();
@@ -68,11 +69,12 @@ ExtremeCase c64_few_bits() {
       .right_answer =
           "a step is r = s z/(1 - s z), s = 2^-b (1/n - 1/f), within a factor of two for the "
           "rounding of the depths themselves: 0.18 in 16 bits at 1,000",
-      .unit = "times what was expected, or the inverse",
+      .unit = "times the expected value, or its inverse",
       .oracle = Oracle::kAnalytic,
       .ours = {"the formula", [] { return measure_error(by_formula); }},
-      .naive = {"steps spread evenly between the planes", [] { return measure_error(evenly); }},
-      .mutants = {{"the near plane is forgotten",
+      .naive = {"depth steps are taken as equally large between the planes",
+                [] { return measure_error(evenly); }},
+      .mutants = {{"the formula without the near plane",
                    [] { return measure_error(without_near_plane); }}},
       .drawn = measure_drawn_error,
   };

@@ -100,7 +100,7 @@ ExtremeCase c65_floor_to_horizon() {
           "up to (sqrt r - 1)/(sqrt r + 1) = 0.94 for r = 1,000 (B.11)",
       .unit = "of the texture",
       .oracle = Oracle::kRational,
-      .ours = {"u/w over 1/w", [] { return measure_error(pipeline_attribute); }},
+      .ours = {"u/w divided by 1/w", [] { return measure_error(pipeline_attribute); }},
       .naive = {"affine interpolation", [] { return measure_error(naive::affine); }},
       .mutants = {{"u/w times an interpolated w",
                    [] { return measure_error(naive::with_linear_w); }}},

@@ -42,7 +42,7 @@ ExtremeCase c66_inverse_w() {
       .oracle = Oracle::kRational,
       .ours = {"a full division", [] { return measure_error(pipeline_attribute); }},
       .naive = {"u/w times an interpolated w", [] { return measure_error(naive::with_linear_w); }},
-      .mutants = {{"raw reciprocal of 12 bits",
+      .mutants = {{"an approximate reciprocal of 12 bits",
                    [] { return measure_error(naive::with_raw_reciprocal); }},
                   {"affine interpolation", [] { return measure_error(naive::affine); }}},
       .drawn = measure_drawn_error,

@@ -41,7 +41,7 @@ Outcome measure_error(const TexelAt& texel_at) {
       if (wrong++ == 0) first = fmt::format(": {} at {}, {}", texel, k / 64.0, name);
     }
   }
-  return wrong_count_outcome(wrong, all, "texels wrong" + first);
+  return wrong_count_outcome(wrong, all, "texels are wrong" + first);
 }
 
 // A wall with 8 x 8 texels and coordinates from -4 to 4, in each of the three wrap modes.
@@ -69,14 +69,15 @@ ExtremeCase c68_texture_wrap() {
       .construction = "-4 to 4 in steps of 1/64 over 8 texels, repeated, mirrored, clamped",
       .stage = "texture",
       .right_answer =
-          "floor, then the remainder that is not negative; a mirror lies between texels",
+          "floor, then the remainder that is not negative; mirroring is about the border between "
+          "two texels",
       .unit = "texels wrong",
       .oracle = Oracle::kInteger,
       .ours = {"floor", [] { return measure_error(pipeline_texel); }},
       .naive = {"(int)(u size) % size", [] { return measure_error(naive::scaled_then_wrapped); }},
       .mutants = {{"truncated in place of rounded down",
                    [] { return measure_error(naive::truncated); }},
-                  {"mirrored about texels",
+                  {"mirrored at the centres of texels",
                    [] { return measure_error(naive::mirrored_about_texels); }}},
       .drawn = measure_drawn_error,
   };

@@ -189,8 +189,8 @@ ExtremeCase c69_level_of_detail() {
           "24 narrow strips that run away from the viewer, 1,024 texels, with gaps between",
       .stage = "texture",
       .right_answer =
-          "the derivative of the plane equations, 34 u of its terms: no pixel looks at its "
-          "neighbours",
+          "the derivative of the plane equations, to 34 u of its terms, without looking at "
+          "neighbouring pixels",
       .unit = "levels",
       .oracle = Oracle::kRational,
       .ours = {"analytic derivatives", [] { return measure_error(pipeline_level); }},

@@ -28,8 +28,11 @@ Outcome measure_error(const XOf& x_of) {
       ++points;
     }
   }
-  return {
-      worst, kBound, {}, fmt::format("{} of {} points snap to another 1/256 px", flipped, points)};
+  return {worst,
+          kBound,
+          {},
+          fmt::format("{} of {} points are snapped to different places for the two eyes", flipped,
+                      points)};
 }
 
 View centre() {
@@ -111,8 +114,9 @@ ExtremeCase c70_zero_parallax() {
                  return measure_error(through(eye_view(centre(), kPair, Side::kLeft),
                                               eye_view(centre(), kPair, Side::kRight)));
                }},
-      .naive = {"parallel cameras, pictures pushed by whole pixels", measure_parallax_error},
-      .mutants = {{"the skew has the sign of a left-handed eye",
+      .naive = {"parallel cameras, whose pictures are shifted by whole pixels",
+                measure_parallax_error},
+      .mutants = {{"the skew has the wrong sign, that of a left-handed eye",
                    [] {
                      return measure_error(
                          through(with_sign_turned(Side::kLeft), with_sign_turned(Side::kRight)));

@@ -67,11 +67,11 @@ ExtremeCase c71_zero_separation() {
       .construction = "the forest with both eyes in the middle",
       .stage = "stereo",
       .right_answer = "both pictures are the same to the bit, and drawn in one pass",
-      .unit = "pixels, passes too many",
+      .unit = "pixels, and passes too many",
       .oracle = Oracle::kProperty,
       .ours = {"both engines", measure_our_error},
       .naive = {"always two passes", measure_two_pass_error},
-      .mutants = {{"a separation of 0.002 in place of none", measure_least_separation_error}},
+      .mutants = {{"a separation of 0.002 in place of 0", measure_least_separation_error}},
       .drawn = measure_drawn_error,
   };
 }

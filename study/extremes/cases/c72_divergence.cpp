@@ -67,14 +67,15 @@ ExtremeCase c72_divergence() {
       .oracle = Oracle::kAnalytic,
       .ours = {"the largest separation within the budget",
                [] { return measure_error(within_budget); }},
-      .naive = {"the pupils' own 65 mm", [] { return measure_error(pupils); }},
+      .naive = {"the eyes are as far apart as the pupils, 65 mm",
+                [] { return measure_error(pupils); }},
       .mutants = {{"the whole separation instead of half of it",
                    [] { return measure_error(with_diameter_for_radius); }},
-                  {"only points in front of the window count",
+                  {"only points in front of the window are counted",
                    [] { return measure_error(looking_in_front_only); }}},
       .not_drawn =
-          "the result is a separation, which is chosen before a pair is drawn; a pair with it is "
-          "drawn like any other (C-70, C-73)",
+          "the result is a separation of the eyes, which is chosen before anything is drawn; C-70 "
+          "and C-73 test how pairs are drawn",
   };
 }
 

@@ -61,7 +61,7 @@ bool seen_by(const std::array<Point<Clip>, 3>& clip) {
 
 Outcome measure_error(const EyePictures& drawn, const std::string& more = {}) {
   const std::uint64_t differ = pixels_that_differ(drawn, draw_eyes_separately(close_things()));
-  return must_be_zero(double(differ), fmt::format("{} pixels lost{}", differ, more));
+  return must_be_zero(double(differ), fmt::format("{} pixels are lost{}", differ, more));
 }
 
 Outcome measure_our_error() {
@@ -73,7 +73,7 @@ Outcome measure_our_error() {
                                             disparity_map(s.centre, s.pair, drawn.right.distance));
   return measure_error(
       {drawn.left.color, drawn.right.color},
-      fmt::format("; {} pixels reported as seen by one eye alone",
+      fmt::format("; {} pixels are reported as seen by one eye alone",
                   count_monocular(maps.left).all() + count_monocular(maps.right).all()));
 }
 
@@ -104,15 +104,15 @@ ExtremeCase c73_one_eye_only() {
       .right_answer = "each eye's picture has the bytes of a run for that eye alone",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"culled where neither eye sees it", measure_our_error},
-      .naive = {"kept only where both eyes see it",
+      .ours = {"a triangle is culled if neither eye sees it", measure_our_error},
+      .naive = {"a triangle is kept only if both eyes see it",
                 [] {
                   return measure_culling_error(
                       [](const auto& left, const auto& right, const View&) {
                         return seen_by(left) && seen_by(right);
                       });
                 }},
-      .mutants = {{"the left eye decides for both",
+      .mutants = {{"a triangle is culled if the left eye does not see it",
                    [] {
                      return measure_culling_error(
                          [](const auto& left, const auto&, const View&) { return seen_by(left); });

@@ -21,9 +21,10 @@ Outcome measure_error(StereoCulling culling, EngineKind engine) {
     culled += drawn.culled;
     pixels += right.left.pixels.size() * 2;
   }
-  return must_be_zero(double(lost),
-                      fmt::format("{} of {} pixels lost, {} of {} culled triangles wrongly", lost,
-                                  pixels, triangles, culled));
+  return must_be_zero(
+      double(lost),
+      fmt::format("{} of {} pixels are lost, and {} of {} culled triangles are culled wrongly",
+                  lost, pixels, triangles, culled));
 }
 
 Outcome measure_our_error() {
@@ -60,10 +61,10 @@ ExtremeCase c74_centre_culling() {
           "nothing is lost: each eye's picture has the bytes of a run for that eye alone",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
-      .ours = {"the union of both frusta, both engines", measure_our_error},
-      .naive = {"centre culling, staged engine",
+      .ours = {"culling by the union of both frusta, in both engines", measure_our_error},
+      .naive = {"culling by the camera in the middle, in the staged engine",
                 [] { return measure_error(StereoCulling::kCentre, EngineKind::kStaged); }},
-      .mutants = {{"centre culling, tile engine",
+      .mutants = {{"culling by the camera in the middle, in the tile engine",
                    [] { return measure_error(StereoCulling::kCentre, EngineKind::kTile); }}},
       .drawn = measure_drawn_error,
   };

@@ -91,8 +91,8 @@ ExtremeCase c75_toe_in() {
       .oracle = Oracle::kAnalytic,
       .ours = {"skewed frusta", [] { return measure_error(eye_view, false); }},
       .naive = {"toed-in cameras", [] { return measure_error(toe_in_view, true); }},
-      .mutants = {{"one camera toed in", [] { return measure_error(one_toed_in, false); }},
-                  {"the eyes' rows of y differ by one or two rounding errors",
+      .mutants = {{"only one camera is toed in", [] { return measure_error(one_toed_in, false); }},
+                  {"the two matrices' rows of y differ by one or two rounding errors",
                    [] { return measure_error(heights_of_their_own, false); }}},
       .drawn = measure_drawn_error,
   };

@@ -79,7 +79,7 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
     wrong += found.r != a.r || found.g != b.g || found.b != b.b;
   }
   Outcome outcome = must_be_zero(
-      double(wrong), fmt::format("{} of {} pixels have another channel", wrong, judged));
+      double(wrong), fmt::format("{} of {} pixels have a wrong channel", wrong, judged));
   if (2 * judged < shown.pixels.size()) outcome.error = HUGE_VAL;
   return outcome;
 }
@@ -102,14 +102,14 @@ ExtremeCase c76_depth_between_eyes() {
                  return worse_of(measure_error(masked(EngineKind::kStaged)),
                                  measure_error(masked(EngineKind::kTile)));
                }},
-      .naive = {"depth not cleared between the eyes",
+      .naive = {"depth is not cleared between the eyes",
                 [] { return measure_error(without_clearing()); }},
-      .mutants = {{"colour cleared as well",
+      .mutants = {{"colour is cleared between the eyes as well",
                    [] {
                      return measure_error(
                          naive::anaglyph_with_colour_cleared(eyes().right, kBackground));
                    }},
-                  {"the masks are exchanged",
+                  {"the colour masks of the eyes are exchanged",
                    [] {
                      return measure_error(
                          make_anaglyph(eyes().right.color, eyes().left.color, AnaglyphMethod::kMask)

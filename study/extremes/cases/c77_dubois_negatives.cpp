@@ -57,15 +57,16 @@ Outcome measure_error(Mixes mixes, const AnaglyphMatrix& matrix) {
         wrong += off > 1;
         if (off <= worst) continue;
         worst = off;
-        where = fmt::format("; worst {} for {} of left {},{},{}, right {},{},{}", found[k],
-                            exact[k], left.r, left.g, left.b, right.r, right.g, right.b);
+        where = fmt::format("; the worst error is {} in {} of left {},{},{}, right {},{},{}",
+                            found[k], exact[k], left.r, left.g, left.b, right.r, right.g, right.b);
       }
     }
   }
-  return {double(worst),
-          1,
-          {},
-          fmt::format("{} of {} channels more than one code off{}", wrong, 3 * mixed, where)};
+  return {
+      double(worst),
+      1,
+      {},
+      fmt::format("{} of {} channels are wrong by more than one code{}", wrong, 3 * mixed, where)};
 }
 
 Bytes pipeline_mix(const AnaglyphMatrix& matrix, const Rgba8& left, const Rgba8& right) {
@@ -176,7 +177,7 @@ Outcome measure_drawn_error(const TestedEngine& engine) {
     }
   }
   if (2 * std::size_t(worst.count()) < 3 * shown.pixels.size() || !clamped) {
-    return must_be_zero(HUGE_VAL, "hardly a pixel could be judged");
+    return must_be_zero(HUGE_VAL, "too few pixels could be compared");
   }
   return worst.outcome(fmt::format("{} channels", worst.count()));
 }
@@ -191,20 +192,21 @@ ExtremeCase c77_dubois_negatives() {
       .construction = "all pairs of 27 colours from black to white through Dubois' matrix (2009)",
       .stage = "anaglyph",
       .right_answer =
-          "mixed in linear light, clamped and encoded, to within one code, because the float sum "
-          "may round to the next code. White stays 255",
+          "colours are mixed in linear light, clamped and encoded; a channel may differ by one "
+          "code, because the float sum may round to the next code, and white stays 255",
       .unit = "bytes",
       .oracle = Oracle::kRational,
-      .ours = {"in linear light, clamped after the matrix",
+      .ours = {"computed in linear light, and clamped after the matrix",
                [] { return measure_error(pipeline_mix, dubois()); }},
-      .naive = {"on bytes, which wrap around",
+      .naive = {"computed with bytes, which wrap around",
                 [] { return measure_error(wrapping_mix, dubois()); }},
       .mutants = {{"negatives are not clamped",
                    [] { return measure_error(unclamped_mix, dubois()); }},
-                  {"mixed without decoding", [] { return measure_error(gamma_mix, dubois()); }},
+                  {"stored sRGB values are mixed without decoding",
+                   [] { return measure_error(gamma_mix, dubois()); }},
                   {"the matrix is transposed",
                    [] { return measure_error(pipeline_mix, transposed()); }},
-                  {"a misprint: -0.62 for -0.062",
+                  {"one entry is misprinted: -0.62 in place of -0.062",
                    [] { return measure_error(pipeline_mix, with_misprint()); }}},
       .drawn = measure_drawn_error,
   };

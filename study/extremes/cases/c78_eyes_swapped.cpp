@@ -38,8 +38,8 @@ Outcome outcome_of(const OrderEvidence& evidence) {
   return {votes > 0 ? double(evidence.swapped) / votes : 1,
           1.0 / 3,
           {},
-          fmt::format("{}: {} windows for this order, {} against it", verdict, evidence.in_order,
-                      evidence.swapped)};
+          fmt::format("{}: {} windows fit this order of the eyes, and {} fit the other one",
+                      verdict, evidence.in_order, evidence.swapped)};
 }
 
 Outcome measure_pair_error(const Image<Rgba8>& left, const Image<Rgba8>& right) {
@@ -83,14 +83,14 @@ ExtremeCase c78_eyes_swapped() {
           "textured windows fit better with the eyes exchanged",
       .unit = "of the windows",
       .oracle = Oracle::kProperty,
-      .ours = {"pair and anaglyph as drawn", measure_our_error},
-      .naive = {"the pictures exchanged",
+      .ours = {"the pair and the anaglyph as they are drawn", measure_our_error},
+      .naive = {"the two pictures are exchanged",
                 [] { return measure_pair_error(room().eyes.right, room().eyes.left); }},
-      .mutants = {{"the anaglyph's eyes exchanged",
+      .mutants = {{"the anaglyph's eyes are exchanged",
                    [] {
                      return measure_anaglyph_error(anaglyph(room().eyes.right, room().eyes.left));
                    }},
-                  {"red and blue exchanged, as in BGR files",
+                  {"red and blue are exchanged, as in BGR files",
                    [] { return measure_anaglyph_error(red_and_blue_interchanged()); }}},
       .drawn = measure_drawn_error,
       .pictures = {{"ours", [] { return png_of(anaglyph(room().eyes.left, room().eyes.right)); }},

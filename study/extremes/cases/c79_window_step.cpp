@@ -36,9 +36,10 @@ Outcome measure_error(const std::function<Filter()>& make) {
   return {monotone ? worst : std::max(worst, 1.0),
           low_pass_weight(kFrames) * (1 + 1e-12),
           {},
-          monotone ? fmt::format("{:.4f} of the step in one frame", worst)
-                   : fmt::format("{:.4f} in one frame, {:.4f} in the wrong direction", worst,
-                                 backwards)};
+          monotone ? fmt::format("parallax moves by {:.4f} of the step in one frame", worst)
+                   : fmt::format("parallax moves by {:.4f} of the step in one frame, and by {:.4f} "
+                                 "in the wrong direction",
+                                 worst, backwards)};
 }
 
 }  // namespace c79
@@ -52,10 +53,11 @@ ExtremeCase c79_window_step() {
           "the stereo window from 10 to 1, and back after 120 frames; a time constant of 15 frames",
       .stage = "stereo",
       .right_answer =
-          "monotone, and no frame moves parallax by more than 1/16 of the step (1/(1 + 15))",
+          "parallax changes in one direction only, and in no frame by more than 1/16 of the step "
+          "(1/(1 + 15))",
       .unit = "of the step per frame",
       .oracle = Oracle::kAnalytic,
-      .ours = {"low-pass of 1/f",
+      .ours = {"a low-pass filter of 1/f",
                [] {
                  return measure_error([] {
                    return [filter = WindowFilter(kFrames)](double f) mutable {
@@ -63,9 +65,9 @@ ExtremeCase c79_window_step() {
                    };
                  });
                }},
-      .naive = {"the window without smoothing",
+      .naive = {"the window's distance is not smoothed",
                 [] { return measure_error([] { return [](double f) { return f; }; }); }},
-      .mutants = {{"low-pass of f",
+      .mutants = {{"a low-pass filter of f",
                    [] {
                      return measure_error([] {
                        return [filter = naive::FilterOfDistance(kFrames)](double f) mutable {
@@ -81,8 +83,8 @@ ExtremeCase c79_window_step() {
                      });
                    }}},
       .not_drawn =
-          "what is judged is the change from frame to frame; each frame is a pair like any other "
-          "(C-70)",
+          "the case tests how parallax changes from frame to frame; one frame alone is an ordinary "
+          "stereo pair (C-70)",
   };
 }
 

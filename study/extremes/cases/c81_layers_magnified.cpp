@@ -31,8 +31,9 @@ Outcome measure_error(const CountHoles& holes) {
     const int here = holes(layer_camera_of(eye), zoom);
     if (here <= most) return;
     most = here;
-    where = fmt::format("{:.1f} % holes when magnified {} times by {}",
-                        100.0 * here / (kSide * kSide), m, by);
+    where =
+        fmt::format("{:.1f} % of the pixels are holes when the picture is magnified {} times by {}",
+                    100.0 * here / (kSide * kSide), m, by);
   };
   for (const int m : {1, 2, 4}) {
     LayerEye nearer{.width = kSide, .height = kSide, .focal = kSide, .near = 0.5};
@@ -74,12 +75,12 @@ ExtremeCase c81_layers_magnified() {
           "fraction of 1 - 1/m^2 of the pixels are holes",
       .unit = "pixels",
       .oracle = Oracle::kAnalytic,
-      .ours = {"squares of the projected size", [] { return measure_error(ours); }},
+      .ours = {"squares of the samples' projected size", [] { return measure_error(ours); }},
       .naive = {"one pixel per sample",
                 [] { return measure_side_error([](double, double) { return 1.0; }); }},
-      .mutants = {{"three pixels for every size",
+      .mutants = {{"3 x 3 pixels per sample, whatever its size",
                    [] { return measure_side_error([](double, double) { return 3.0; }); }},
-                  {"without the focal lengths",
+                  {"the size is computed without the focal lengths",
                    [] {
                      return measure_side_error(
                          [](double, double w) { return std::max(1 / w, 1.0); });
@@ -89,7 +90,7 @@ ExtremeCase c81_layers_magnified() {
                      return measure_side_error(
                          [](double zoom, double w) { return std::max(zoom * w, 1.0); });
                    }}},
-      .not_drawn = "views/layers warps the samples, without an engine",
+      .not_drawn = "views/layers warps the samples; no engine of glassbox render takes part",
   };
 }
 

@@ -102,7 +102,8 @@ Outcome measure_error(const Draw& draw) {
       wrong += drawn.pixels[i] != lattice.right.pixels[i];
     }
   }
-  return wrong_count_outcome(wrong, pixels, fmt::format("pixels, of {} moves", all.size()));
+  return wrong_count_outcome(
+      wrong, pixels, fmt::format("pixels are wrong, with {} places of the second eye", all.size()));
 }
 
 Image<Rgba8> in_order(const Lattice& lattice) {
@@ -162,17 +163,19 @@ ExtremeCase c82_layers_order() {
           "to 48 places: every sample falls on a pixel centre, and samples that fall on the same "
           "pixel are on one line",
       .stage = "layers",
-      .right_answer = "the nearest sample of each pixel, without comparing depths (S1-11)",
+      .right_answer =
+          "each pixel shows its nearest sample, although no depths are compared (S1-11)",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"occlusion-compatible order", [] { return measure_error(in_order); }},
       .naive = {"the packed order", [] { return measure_error(as_packed); }},
-      .mutants = {{"towards the epipole even if it is behind the camera",
+      .mutants = {{"samples are visited towards the epipole even if it is behind the camera",
                    [] { return measure_error(without_sign); }},
-                  {"rows by the epipole, columns from the left",
+                  {"rows are ordered by the epipole, but columns always from the left",
                    [] { return measure_error(rows_alone); }},
-                  {"front to back within a pixel", [] { return measure_error(front_to_back); }}},
-      .not_drawn = "views/layers warps the samples, without an engine",
+                  {"samples of one pixel are visited from front to back",
+                   [] { return measure_error(front_to_back); }}},
+      .not_drawn = "views/layers warps the samples; no engine of glassbox render takes part",
   };
 }
 

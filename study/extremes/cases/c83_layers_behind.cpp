@@ -55,7 +55,7 @@ Outcome measure_error(const std::function<Image<Rgba8>()>& draw) {
     if (is_well_within(x) && is_well_within(y))
       missing += number_of_color(drawn.at(int(x), int(y))) == 0;
   }
-  return wrong_count_outcome(wrong + missing, shown, "pixels",
+  return wrong_count_outcome(wrong + missing, shown, "pixels are wrong",
                              fmt::format("; {} are missing", missing));
 }
 
@@ -95,15 +95,15 @@ ExtremeCase c83_layers_behind() {
                  return worse_of(measure_order_error(views::LayerOrder::kDepth),
                                  measure_order_error(views::LayerOrder::kOcclusion));
                }},
-      .naive = {"divided by w without a test",
+      .naive = {"positions are divided by w without a test",
                 [one_pixel] {
                   return measure_test_error([](double, double) { return true; }, one_pixel);
                 }},
-      .mutants = {{"only the depth is tested",
+      .mutants = {{"only the depth is tested, not w",
                    [one_pixel] {
                      return measure_test_error([](double z, double) { return z <= 1; }, one_pixel);
                    }},
-                  {"w >= -1",
+                  {"samples with w >= -1 are drawn",
                    [one_pixel] {
                      return measure_test_error([](double z, double w) { return w >= -1 && z <= 1; },
                                                one_pixel);
@@ -113,7 +113,7 @@ ExtremeCase c83_layers_behind() {
                      return measure_test_error(
                          [](double z, double w) { return w >= 0.2 && z <= 1; }, one_pixel);
                    }}},
-      .not_drawn = "views/layers warps the samples, without an engine",
+      .not_drawn = "views/layers warps the samples; no engine of glassbox render takes part",
   };
 }
 

@@ -42,7 +42,7 @@ Outcome measure_error(const Merge& merge) {
     for (std::size_t i = depths.size(); i-- > 1;)
       std::swap(depths[i], depths[std::size_t(random.integer(0, int(i)))]);
   }
-  return wrong_count_outcome(wrong, kOrders, "orders",
+  return wrong_count_outcome(wrong, kOrders, "orders give other samples",
                              fmt::format("; {} to {} samples remain", least, most));
 }
 
@@ -59,21 +59,25 @@ ExtremeCase c84_layers_merged() {
   return {
       .id = "C-84",
       .name = "A chain of near depths",
-      .construction = "twelve samples of a pixel, each 0.9 epsilon behind the last, in 200 orders",
+      .construction =
+          "twelve samples of a pixel, each 0.9 epsilon behind the one in front of it, in 200 "
+          "orders",
       .stage = "layers",
       .right_answer =
-          "the same samples for every order: from the front, each remaining sample absorbs those "
-          "near to itself and no others, which leaves six",
+          "six samples remain in every order: from the front, each remaining sample absorbs those "
+          "within epsilon behind it and no others",
       .unit = "orders",
       .oracle = Oracle::kProperty,
-      .ours = {"sorted, then merged from the front", [] { return measure_error(ours); }},
-      .naive = {"merged in the order of arrival",
+      .ours = {"samples are sorted, then merged from front to back",
+               [] { return measure_error(ours); }},
+      .naive = {"samples are merged in the order in which they come",
                 [] { return measure_error(naive::merged_as_they_come); }},
-      .mutants = {{"each compared with its neighbour",
+      .mutants = {{"each sample is compared with the one in front of it, even if that one is "
+                   "merged already",
                    [] { return measure_error(naive::merged_along_the_chain); }},
-                  {"merged from the back",
+                  {"samples are merged from back to front",
                    [] { return measure_error(naive::merged_from_behind); }}},
-      .not_drawn = "views/layers warps the samples, without an engine",
+      .not_drawn = "views/layers warps the samples; no engine of glassbox render takes part",
   };
 }
 

@@ -45,7 +45,8 @@ Outcome measure_error(const Pack& pack) {
                                                 pixels[i].begin(), pixels[i].end());
     }
   }
-  return wrong_count_outcome(wrong, int(all.size()) * kWidth * kHeight, "pixels");
+  return wrong_count_outcome(wrong, int(all.size()) * kWidth * kHeight,
+                             "pixels have wrong samples");
 }
 
 Packed ours(const PixelLists& pixels) {
@@ -73,13 +74,15 @@ ExtremeCase c85_layers_packed() {
       .right_answer = "each pixel has the samples that it was given, from back to front (S1-06)",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"one offset for each pixel, and one more", [] { return measure_error(ours); }},
-      .naive = {"counts in a byte", [] { return measure_error(naive::packed_by_byte_counts); }},
+      .ours = {"one offset for each pixel, and one more at the end",
+               [] { return measure_error(ours); }},
+      .naive = {"the number of samples of a pixel is stored in a byte",
+                [] { return measure_error(naive::packed_by_byte_counts); }},
       .mutants = {{"empty pixels have no offset",
                    [] { return measure_error(naive::packed_without_empty_pixels); }},
-                  {"offsets of the last samples",
+                  {"offsets point to the last sample of each pixel",
                    [] { return measure_error(naive::packed_by_last_samples); }}},
-      .not_drawn = "views/layers warps the samples, without an engine",
+      .not_drawn = "views/layers warps the samples; no engine of glassbox render takes part",
   };
 }
 

@@ -41,8 +41,9 @@ Outcome measure_error(const Draw& draw) {
     wrong += std::abs(splatted.pixels - side * side);
     silent += splatted.reported != (m > side);
   }
-  return must_be_zero(wrong + silent,
-                      fmt::format("{} wrong pixels, {} samples reported wrongly", wrong, silent));
+  return must_be_zero(
+      wrong + silent,
+      fmt::format("{} pixels are wrong, and {} samples are reported wrongly", wrong, silent));
 }
 
 Splatted ours(double m) {
@@ -82,11 +83,13 @@ ExtremeCase c86_sample_near_eye() {
       .right_answer = "min(m, 64)^2 pixels, and a count of those that would have been larger",
       .unit = "pixels and samples",
       .oracle = Oracle::kAnalytic,
-      .ours = {"cut to 64 px, and counted", [] { return measure_error(ours); }},
-      .naive = {"without a limit", [] { return measure_error(without_limit); }},
-      .mutants = {{"cut without a report", [] { return measure_error(in_silence); }},
-                  {"left out if too large", [] { return measure_error(left_out); }}},
-      .not_drawn = "views/layers warps the samples, without an engine",
+      .ours = {"sizes are limited to 64 px, and limited samples are counted",
+               [] { return measure_error(ours); }},
+      .naive = {"sizes have no limit", [] { return measure_error(without_limit); }},
+      .mutants = {{"sizes are limited without a report", [] { return measure_error(in_silence); }},
+                  {"samples that are too large are left out",
+                   [] { return measure_error(left_out); }}},
+      .not_drawn = "views/layers warps the samples; no engine of glassbox render takes part",
   };
 }
 

@@ -98,7 +98,8 @@ Outcome measure_error(FootprintOf footprint_of) {
       ++tried;
     }
   }
-  return wrong_count_outcome(wrong, tried, "voxels", fmt::format(", {} without a pixel", empty));
+  return wrong_count_outcome(wrong, tried, "voxels have wrong pixels",
+                             fmt::format(", and {} have no pixel", empty));
 }
 
 }  // namespace c87
@@ -111,16 +112,20 @@ ExtremeCase c87_voxel_footprint() {
       .construction = "cubes of 0.1, 0.3, 1, 3 and 10 px at 200 random places",
       .stage = "voxels",
       .right_answer =
-          "the pixels whose centres are in the box around the projection, and the centre's pixel "
-          "in any case: without pixels the deviation is 0, and everything would count as one "
-          "colour",
+          "a voxel has the pixels whose centres are in the box around its projection, and always "
+          "the pixel of its own centre; without pixels the deviation would be 0, and every voxel "
+          "would count as one colour",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
-      .ours = {"box, at least the centre's pixel", [] { return measure_error(ours); }},
-      .naive = {"pixels whose centres are in the box", [] { return measure_error(centres_alone); }},
+      .ours =
+          {"the pixels whose centres are in the box, and always the pixel of the voxel's centre",
+           [] { return measure_error(ours); }},
+      .naive = {"only the pixels whose centres are in the box",
+                [] { return measure_error(centres_alone); }},
       .mutants = {{"all pixels that the box touches", [] { return measure_error(all_touched); }},
-                  {"only the centre's pixel", [] { return measure_error(centre_alone); }}},
-      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
+                  {"only the pixel of the voxel's centre",
+                   [] { return measure_error(centre_alone); }}},
+      .not_drawn = "the case reconstructs a shape from given pictures; no engine draws the result",
   };
 }
 

@@ -34,7 +34,8 @@ Outcome measure_error(Colorer colored_by) {
   const int with_all = differing(colored_by(noisy(false, infinite)), keys_of(wall));
   return must_be_zero(
       with_none + with_all,
-      fmt::format("{} voxels with T = 0, {} beside the wall with T infinite", with_none, with_all));
+      fmt::format("{} voxels are coloured with T = 0, and {} outside the wall with T infinite",
+                  with_none, with_all));
 }
 
 template <naive::SweepRules kWay>
@@ -50,11 +51,12 @@ ExtremeCase c88_threshold_ends() {
       .id = "C-88",
       .name = "A threshold of 0, and an infinite one",
       .construction =
-          "noise and blank pictures of three cameras over 8 x 8 x 5 voxels, without masks",
+          "three cameras see 8 x 8 x 5 voxels, in pictures of noise and in pictures of one colour, "
+          "without masks",
       .stage = "voxels",
       .right_answer =
-          "no deviation is below 0, so T = 0 colours nothing; every deviation is below infinity, "
-          "so the first layer becomes a wall that hides the rest",
+          "T = 0 colours no voxel, because no deviation is below 0; with T infinite all voxels of "
+          "the first layer are coloured, and this wall hides the others",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
       .ours = {"sigma < T", [] { return measure_error(colored_by_ours); }},
@@ -62,9 +64,9 @@ ExtremeCase c88_threshold_ends() {
                 [] { return measure_error(plain<naive::SweepRules{.below = false}>); }},
       .mutants = {{"coloured voxels hide nothing",
                    [] { return measure_error(plain<naive::SweepRules{.hides = false}>); }},
-                  {"far layers first",
+                  {"the layers are visited from far to near",
                    [] { return measure_error(plain<naive::SweepRules{.nearest_first = false}>); }}},
-      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
+      .not_drawn = "the case reconstructs a shape from given pictures; no engine draws the result",
   };
 }
 

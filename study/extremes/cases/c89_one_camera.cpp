@@ -14,10 +14,10 @@ Outcome measure_error(Colorer colored_by) {
   FlatScene twins = one;
   twins.set.pictures.push_back(one.set.pictures.front());
   const int beside = differing(colored_by(twins), keys_of({{2, 0, 0}, {4, 0, 0}}));
-  return must_be_zero(
-      alone + beside,
-      fmt::format("{} voxels from one picture, {} voxels not in the first layer of two", alone,
-                  beside));
+  return must_be_zero(alone + beside,
+                      fmt::format("{} voxels are coloured from one picture; with two equal "
+                                  "cameras, {} coloured voxels are not in the first layer",
+                                  alone, beside));
 }
 
 template <naive::SweepRules kWay>
@@ -41,14 +41,15 @@ ExtremeCase c89_one_camera() {
           "object and nothing behind it",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
-      .ours = {"two pictures at least", [] { return measure_error(colored_by_ours); }},
-      .naive = {"the deviation of one is 0",
+      .ours = {"at least two pictures must see a voxel",
+               [] { return measure_error(colored_by_ours); }},
+      .naive = {"a voxel seen in one picture is coloured, because its deviation is 0",
                 [] { return measure_error(plain<naive::SweepRules{.least_views = 1}>); }},
-      .mutants = {{"three pictures at least",
+      .mutants = {{"at least three pictures must see a voxel",
                    [] { return measure_error(plain<naive::SweepRules{.least_views = 3}>); }},
                   {"coloured voxels hide nothing",
                    [] { return measure_error(plain<naive::SweepRules{.hides = false}>); }}},
-      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
+      .not_drawn = "the case reconstructs a shape from given pictures; no engine draws the result",
   };
 }
 

@@ -86,9 +86,10 @@ Outcome measure_error(OrderOf order_of) {
       ++tried;
     }
   }
-  return must_be_zero(double(counterexamples + missed),
-                      fmt::format("{} of {} pairs in the wrong order, {} orders not found",
-                                  counterexamples, tried, missed));
+  return must_be_zero(
+      double(counterexamples + missed),
+      fmt::format("{} of {} pairs are in the wrong order, and {} orders were not found",
+                  counterexamples, tried, missed));
 }
 
 }  // namespace c90
@@ -103,18 +104,20 @@ ExtremeCase c90_ordinal_violation() {
           "may cut it; points P on the way from a camera to Q, both in the box",
       .stage = "voxels",
       .right_answer =
-          "if an order is claimed, P comes before Q: a plane has all cameras on one side and the "
-          "box on the other (S1-15); for a ring around the box there is no order",
+          "if the code gives an order, P comes before Q, because a plane separates all cameras "
+          "from the box (S1-15); for a ring of cameras around the box there is no order",
       .unit = "pairs and orders",
       .oracle = Oracle::kProperty,
-      .ours = {"a plane in between, checked at every camera and corner",
-               [] { return measure_error(by_classes); }},
-      .naive = {"away from the centre of the cameras", [] { return measure_error(whatever); }},
+      .ours =
+          {"a plane between cameras and box, checked for every camera and every corner of the box",
+           [] { return measure_error(by_classes); }},
+      .naive = {"layers away from the centre of the cameras, without a check",
+                [] { return measure_error(whatever); }},
       .mutants = {{"only the centre of the box is checked, not its corners",
                    [] { return measure_error(before_the_middle); }},
                   {"only the first camera is checked",
                    [] { return measure_error(direction_of_first_camera); }}},
-      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
+      .not_drawn = "the case reconstructs a shape from given pictures; no engine draws the result",
   };
 }
 

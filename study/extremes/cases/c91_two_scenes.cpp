@@ -59,14 +59,15 @@ ExtremeCase c91_two_scenes() {
           "the cameras (S1-17), and it gives these pictures again",
       .unit = "pixels and voxels",
       .oracle = Oracle::kInteger,
-      .ours = {"nearest layers first", [] { return measure_error(colored_by_ours); }},
+      .ours = {"the layers are visited from near to far",
+               [] { return measure_error(colored_by_ours); }},
       .naive = {"coloured voxels hide nothing",
                 [] { return measure_error(plain<naive::SweepRules{.hides = false}>); }},
-      .mutants = {{"one picture is enough",
+      .mutants = {{"a voxel is coloured if one picture sees it",
                    [] { return measure_error(plain<naive::SweepRules{.least_views = 1}>); }},
                   {"the background is a colour like any other",
                    [] { return measure_error(plain<naive::SweepRules{.asks_masks = false}>); }}},
-      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
+      .not_drawn = "the case reconstructs a shape from given pictures; no engine draws the result",
   };
 }
 

@@ -50,7 +50,7 @@ Outcome measure_error(Colorer colored_by) {
   const FlatScene flat = disc();
   const naive::VoxelKeys hull = photo_hull(flat);
   return wrong_count_outcome(differing(colored_by(flat), hull), int(hull.size()),
-                             "voxels of the hull's surface");
+                             "voxels of the hull's surface are wrong");
 }
 
 template <naive::SweepRules kWay>
@@ -68,17 +68,17 @@ ExtremeCase c92_untextured() {
       .construction = "a disc with a radius of 8 voxels, seen by cameras of slopes -1 and 1",
       .stage = "voxels",
       .right_answer =
-          "it bulges towards the cameras as far as its photo hull (S1-32): the nearest part of the "
-          "diamond that both outlines leave",
+          "the result is the photo hull (S1-32), which is larger than the disc on the cameras' "
+          "side: the part nearest to the cameras of the diamond that both outlines allow",
       .unit = "voxels",
       .oracle = Oracle::kAnalytic,
-      .ours = {"voxel colouring that keeps voxels seen in one picture",
+      .ours = {"voxel colouring that keeps voxels seen in only one picture",
                [] { return measure_error(colored_by_ours); }},
-      .naive = {"everything that both pictures allow: the whole hull",
+      .naive = {"all voxels that both outlines allow are coloured",
                 [] {
                   return measure_error(plain<naive::SweepRules{.hides = false, .least_views = 1}>);
                 }},
-      .mutants = {{"far layers first",
+      .mutants = {{"the layers are visited from far to near",
                    [] {
                      return measure_error(
                          plain<naive::SweepRules{.nearest_first = false, .least_views = 1}>);
@@ -88,7 +88,7 @@ ExtremeCase c92_untextured() {
                      return measure_error(
                          plain<naive::SweepRules{.asks_masks = false, .least_views = 1}>);
                    }}},
-      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
+      .not_drawn = "the case reconstructs a shape from given pictures; no engine draws the result",
   };
 }
 

@@ -67,13 +67,14 @@ ExtremeCase c93_variance() {
           "the variance, to n u kappa, kappa = mean / sigma (Chan, Golub and LeVeque 1983)",
       .unit = "relative",
       .oracle = Oracle::kExtended,
-      .ours = {"Welford", [] { return measure_error(by_welford); }},
+      .ours = {"Welford's update", [] { return measure_error(by_welford); }},
       .naive = {"E[x^2] - E[x]^2 in float",
                 [] { return measure_error(variance_by_two_means<float>); }},
-      .mutants = {{"the same in double",
+      .mutants = {{"E[x^2] - E[x]^2 in double",
                    [] { return measure_error(variance_by_two_means<double>); }},
-                  {"the new mean on both sides", [] { return measure_error(by_the_new_mean); }}},
-      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
+                  {"both factors of the update use the new mean",
+                   [] { return measure_error(by_the_new_mean); }}},
+      .not_drawn = "the case reconstructs a shape from given pictures; no engine draws the result",
   };
 }
 

@@ -24,11 +24,11 @@ Outcome measure_error(const views::ColoringSettings& asked) {
     for (int x = 0; x < 8; ++x) wall.push_back({x, y, 0});
   const naive::VoxelKeys first = keys_of(wall);
   const auto coloring = views::color_voxels(flat.set, flat.request);
-  if (!coloring) return wrong_count_outcome(64, 64, "voxels of the wall");
+  if (!coloring) return wrong_count_outcome(64, 64, "voxels of the wall are wrong");
   naive::VoxelKeys found;
   for (const views::ColoredVoxel& voxel : coloring->voxels)
     if (voxel.at.z == 0) found.insert(views::key_of(voxel.at));
-  return wrong_count_outcome(differing(found, first), 64, "voxels of the wall");
+  return wrong_count_outcome(differing(found, first), 64, "voxels of the wall are wrong");
 }
 
 views::ColoringSettings fixed(double threshold) {
@@ -55,15 +55,15 @@ ExtremeCase c94_fine_texture() {
           "a wall of 8 x 8 voxels, each of 2 x 2 pixels of a checker board, seen by three cameras",
       .stage = "voxels",
       .right_answer =
-          "the wall is found: the colours of a voxel deviate within a picture as much as between "
-          "pictures (S1-34)",
+          "the wall is found, because the colours of a voxel differ within a picture as much as "
+          "between pictures (S1-34)",
       .unit = "voxels",
       .oracle = Oracle::kProperty,
       .ours = {"sigma < M + 10", [] { return measure_error(adaptive(1)); }},
       .naive = {"sigma < 40", [] { return measure_error(fixed(40)); }},
       .mutants = {{"sigma < 100", [] { return measure_error(fixed(100)); }},
-                  {"half of M", [] { return measure_error(adaptive(0.5)); }}},
-      .not_drawn = "the pictures are only its input: no engine draws the reconstruction",
+                  {"sigma < M/2 + 10", [] { return measure_error(adaptive(0.5)); }}},
+      .not_drawn = "the case reconstructs a shape from given pictures; no engine draws the result",
   };
 }
 

@@ -40,8 +40,8 @@ Outcome measure_error(const Surface& surface) {
     see(field);
   }
   return must_be_zero(double(wrong + odd),
-                      fmt::format("{} of {} edges are not in two triangles of opposite direction; "
-                                  "the Euler number is odd {} times",
+                      fmt::format("{} of {} edges are not shared by two triangles that pass them "
+                                  "in opposite directions; the Euler number is odd {} times",
                                   wrong, edges, odd));
 }
 
@@ -65,20 +65,22 @@ ExtremeCase c95_ambiguous_faces() {
           "closed: each edge is in exactly two triangles, and V - E + F is even (S1-39)",
       .unit = "edges",
       .oracle = Oracle::kProperty,
-      .ours = {"one rule for each face",
+      .ours = {"one rule for every ambiguous face",
                [] {
                  return measure_error([](const ScalarField& field) {
                    return views::polygonise(field, 0, views::Polygoniser::kConsistent);
                  });
                }},
-      .naive = {"fifteen cases", [] { return measure_table_error(views::naive_table()); }},
-      .mutants = {{"complementary cases are not reversed",
-                   [] { return measure_table_error(naive::table_of_opposites_not_turned()); }},
-                  {"one rule for low faces, another for high ones",
-                   [] { return measure_table_error(naive::table_by_sides()); }},
-                  {"fans whose diagonals are on faces",
-                   [] { return measure_table_error(naive::table_of_fans()); }}},
-      .not_drawn = "views/polygons makes the surface, without an engine",
+      .naive = {"the table of fifteen cases",
+                [] { return measure_table_error(views::naive_table()); }},
+      .mutants =
+          {{"the triangles of complementary cases are not reversed",
+            [] { return measure_table_error(naive::table_of_opposites_not_turned()); }},
+           {"one rule for the faces at low coordinates, another for those at high coordinates",
+            [] { return measure_table_error(naive::table_by_sides()); }},
+           {"polygons are cut into fans whose diagonals lie on the cell's faces",
+            [] { return measure_table_error(naive::table_of_fans()); }}},
+      .not_drawn = "views/polygons makes the surface; no engine of glassbox render takes part",
   };
 }
 

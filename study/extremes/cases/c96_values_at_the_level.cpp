@@ -28,10 +28,11 @@ Outcome measure_error(const Surface& surface) {
     pinched += check.pinched;
     triangles += std::int64_t(mesh.polygons.size());
   }
-  return must_be_zero(double(degenerate + duplicates + open + pinched),
-                      fmt::format("{} triangles, {} of them without area; {} corners at the place "
-                                  "of another, {} pinched; {} edges not in two triangles",
-                                  triangles, degenerate, duplicates, pinched, open));
+  return must_be_zero(
+      double(degenerate + duplicates + open + pinched),
+      fmt::format("{} triangles, {} of them without area; {} corners are at the place of another, "
+                  "{} join separate parts of the surface; {} edges are not in two triangles",
+                  triangles, degenerate, duplicates, pinched, open));
 }
 
 PolygonMesh ours(const ScalarField& field, double level) {
@@ -52,9 +53,8 @@ ExtremeCase c96_values_at_the_level() {
           "counts as infinitely little above it, and corners keep away from those of the lattice",
       .unit = "triangles, corners and edges",
       .oracle = Oracle::kProperty,
-      .ours = {"values at the level are perturbed symbolically",
-               [] { return measure_error(ours); }},
-      .naive = {"corners placed exactly where the value is the level",
+      .ours = {"a value equal to the level counts as above it", [] { return measure_error(ours); }},
+      .naive = {"corners are placed exactly where the value is the level",
                 [] {
                   return measure_error([](const ScalarField& field, double level) {
                     return naive::placed_exactly(ours(field, level), field, level);
@@ -66,14 +66,14 @@ ExtremeCase c96_values_at_the_level() {
                        return naive::placed_exactly(ours(field, level), field, level - 1e-17);
                      });
                    }},
-                  {"corners at the same place merged",
+                  {"corners at the same place are merged",
                    [] {
                      return measure_error([](const ScalarField& field, double level) {
                        return naive::welded(
                            naive::placed_exactly(ours(field, level), field, level));
                      });
                    }}},
-      .not_drawn = "views/polygons makes the surface, without an engine",
+      .not_drawn = "views/polygons makes the surface; no engine of glassbox render takes part",
   };
 }
 

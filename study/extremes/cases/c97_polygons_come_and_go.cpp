@@ -58,9 +58,9 @@ Outcome measure_error(Layers layers) {
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) wrong += layers.samples({x, y}) != rebuilt.samples({x, y});
   }
-  return wrong_count_outcome(
-      wrong, kSide * kSide, "pixels",
-      fmt::format("; {} samples of {} polygons", rebuilt.sample_count(), there.size()));
+  return wrong_count_outcome(wrong, kSide * kSide, "pixels are wrong",
+                             fmt::format("; the image has {} samples of {} polygons",
+                                         rebuilt.sample_count(), there.size()));
 }
 
 Outcome measure_naive_error(const naive::PixelList& rule) {
@@ -82,17 +82,17 @@ ExtremeCase c97_polygons_come_and_go() {
           "bit for bit the layered image that is built from the remaining polygons (S1-39)",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
-      .ours = {"lists by distance, then by number",
+      .ours = {"each pixel has a list of polygons, sorted by distance, then by number",
                [] { return measure_error(views::IdLayers(kSide, kSide)); }},
-      .naive = {"the nearest polygon of each pixel",
+      .naive = {"each pixel has only its nearest polygon",
                 [] { return measure_naive_error({.keeps_all = false}); }},
       .mutants = {{"hidden polygons are not removed",
                    [] { return measure_naive_error({.deletes_behind = false}); }},
-                  {"among equally far polygons the last is in front",
+                  {"of polygons at equal distance the last one is in front",
                    [] { return measure_naive_error({.breaks_ties_by_id = false}); }},
-                  {"in the order of insertion",
+                  {"the list of a pixel is in the order of insertion",
                    [] { return measure_naive_error({.sorts = false}); }}},
-      .not_drawn = "views/polygons draws the polygons, without an engine",
+      .not_drawn = "views/polygons draws the polygons; no engine of glassbox render takes part",
   };
 }
 

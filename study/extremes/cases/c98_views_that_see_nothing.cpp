@@ -76,7 +76,7 @@ Outcome measure_error(const Weights& weights) {
       error = std::max(error, std::abs(sum - (by_anybody ? 1 : 0)));
       if (std::isnan(sum)) error = sum;
       worst.add(error, kBound,
-                fmt::format("the weights add up to {:.6g} where {} of {} views see the polygon",
+                fmt::format("the weights add up to {:.6g} although {} of {} views see the polygon",
                             sum, std::ranges::count(seen, true), seen.size()));
     }
   }
@@ -130,18 +130,18 @@ ExtremeCase c98_views_that_see_nothing() {
           "no weights if no view sees it (S1-40)",
       .unit = "weight",
       .oracle = Oracle::kAnalytic,
-      .ours = {"views left out, weights divided by their sum, else the nearest view that sees the "
-               "polygon",
+      .ours = {"views that do not see the polygon are left out, and the other weights are divided "
+               "by their sum; if none is left, the nearest view that sees it gets the weight 1",
                [] { return measure_error(ours); }},
-      .naive = {"divided by the sum of the remaining weights, without a test",
+      .naive = {"the weights are divided by the sum of the remaining ones, even if it is 0",
                 [] { return measure_step_error({.has_empty_sum = true}); }},
-      .mutants = {{"not divided by the new sum",
+      .mutants = {{"the weights are not divided by their new sum",
                    [] { return measure_step_error({.divides = false}); }},
                   {"views that do not see it keep their weights",
                    [] { return measure_step_error({.leaves_out_unseen = false}); }},
-                  {"no other view instead of the three",
+                  {"no other view is used if none of the three sees the polygon",
                    [] { return measure_step_error({.falls_back = false}); }}},
-      .not_drawn = "views/texture computes the weights, without an engine",
+      .not_drawn = "views/texture computes the weights; no engine of glassbox render takes part",
   };
 }
 

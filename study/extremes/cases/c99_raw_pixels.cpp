@@ -44,7 +44,8 @@ Outcome measure_error(Estimator estimator) {
     condition += std::log10(views::linear_fit(noisy)->condition()) / kPairs;
   }
   return {error, 2 * best, std::pow(10, condition),
-          fmt::format("{:.3g} px; the error of the best estimate is {:.3g} px", error, best)};
+          fmt::format("the error is {:.3g} px, and that of the best estimate is {:.3g} px", error,
+                      best)};
 }
 
 }  // namespace c99
@@ -62,13 +63,15 @@ ExtremeCase c99_raw_pixels() {
           "same matches; the condition number is that of the raw system",
       .unit = "px",
       .oracle = Oracle::kProperty,
-      .ours = {"normalised points", [] { return measure_error(by_normalised_points); }},
-      .naive = {"pixels as they are", [] { return measure_error(naive::fundamental_raw); }},
-      .mutants = {{"transformed back with the two matrices exchanged",
+      .ours = {"the system is made from normalised points",
+               [] { return measure_error(by_normalised_points); }},
+      .naive = {"the system is made from raw pixel coordinates",
+                [] { return measure_error(naive::fundamental_raw); }},
+      .mutants = {{"F is transformed back with the two matrices exchanged",
                    [] { return measure_error(naive::fundamental_carried_back_crosswise); }},
-                  {"not transformed back",
+                  {"F is not transformed back",
                    [] { return measure_error(naive::fundamental_not_carried_back); }}},
-      .not_drawn = "the result is an estimate from matches, which no engine draws",
+      .not_drawn = "the result is computed from matches of points; no engine draws it",
   };
 }
 

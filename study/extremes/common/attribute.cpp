@@ -44,7 +44,7 @@ double attribute_bound(const ExactAttribute& exact, const std::array<float, 3>& 
 Outcome measure_attribute_error(const AttributeAt& at, const AttributeTriangle& judged, int side,
                                 double scale) {
   const auto setup = setup_triangle(judged.triangle);
-  if (!setup) return must_be_zero(HUGE_VAL, "no triangle");
+  if (!setup) return must_be_zero(HUGE_VAL, "no triangle was set up");
   std::array<float, 3> values;
   for (std::size_t k = 0; k < 3; ++k) values[k] = judged.values[std::size_t(setup->order[k])];
   WorstError worst;  // the error that is the largest fraction of its bound

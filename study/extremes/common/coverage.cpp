@@ -23,8 +23,9 @@ bool covers_exactly(const SnappedTriangle& t, std::int64_t x, std::int64_t y) {
 }
 
 Outcome CoverageFaults::outcome() const {
-  return must_be_zero(double(wrong()),
-                      fmt::format("{} missing, {} extra of {} samples", missing, extra, samples));
+  return must_be_zero(double(wrong()), fmt::format("of {2} samples, {0} are not covered but should "
+                                                   "be, and {1} are covered but should not be",
+                                                   missing, extra, samples));
 }
 
 void compare_coverage(const CoverageFunction& covers, const ScreenTriangle& triangle,
@@ -62,8 +63,10 @@ void Watertightness::add(const Image<int>& times) {
 }
 
 Outcome Watertightness::outcome() const {
-  return must_be_zero(double(gaps + doubles),
-                      fmt::format("{} gaps, {} doubles of {} samples", gaps, doubles, samples));
+  return must_be_zero(
+      double(gaps + doubles),
+      fmt::format("of {2} samples, {0} are not covered, and {1} are covered more than once", gaps,
+                  doubles, samples));
 }
 
 std::vector<ScreenTriangle> jittered_grid(int columns, int rows, int width, int height,

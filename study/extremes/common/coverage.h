@@ -64,7 +64,7 @@ Image<int> times_covered(const CoverageFunction& covers,
 struct Watertightness {
   std::int64_t samples = 0, gaps = 0, doubles = 0;
   void add(const Image<int>& times);
-  Outcome outcome() const;  // for example "3 gaps, 4 doubles of 1,200 samples"
+  Outcome outcome() const;  // for example "of 1,200 samples, 3 are not covered, ..."
 };
 
 // `columns` x `rows` quads of two triangles each, which fill the picture and extend 2 px beyond its

@@ -19,7 +19,7 @@ struct Outcome {
   double error = 0;
   double bound = 0;                      // the right code's error is at most this; 0: exact
   std::optional<double> condition = {};  // the condition number there, if the case has one
-  std::string summary = {};  // the result in one line: "18 gaps, 12 doubles of 2,600,000 samples"
+  std::string summary = {};              // the result in one line: "12 of 500 pixels are wrong"
 
   bool passes() const { return error <= bound; }  // false for NaN
 };
