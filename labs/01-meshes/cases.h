@@ -29,9 +29,9 @@ inline std::vector<TextCase> texts() {
        "# a house\n  v 0 0 0 # left\nv 2 0 0\n\nv 2 2 0\nv 0 2 0\nf  1 2   3 4  # the wall\nv 1 3 "
        "0\nf 4 3 5\n",
        ""},
-      {"numbers counted back from the last position",
+      {"negative numbers, which are counted back from the last position",
        "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0.25\nf -4 -2 -1\n", ""},
-      {"comments that look like corners and positions",
+      {"comments that contain corners and positions",
        "v 0 0 0 # 1\n# v 9 9 9\nv 1 0 0\nv 1 1 0 # 2\nv 0 1 0\nf 1 2 3 # 4\n#f 1 2 4\nf 1 3 4 #\n",
        ""},
       {"a corner that names position 0", tetrahedron + "f 2 3 4\n", tetrahedron + "f 2 3 0\n"},
@@ -45,7 +45,8 @@ inline std::vector<TextCase> hidden_texts() {
       {"a face that names a position before it is read", square + "v 2 2 2\nf 1 2 3 5\n",
        square + "f 1 2 3 5\nv 2 2 2\n"},
       {"a face of two corners", square + "f 1 2 4\n", square + "f 1 2\n"},
-      {"a number that goes back too far", square + "f -4 -3 -2 -1\n", square + "f -5 -3 -2 -1\n"},
+      {"a negative number that goes back before the first position", square + "f -4 -3 -2 -1\n",
+       square + "f -5 -3 -2 -1\n"},
       {"a position of two numbers", square + "f 1 2 3\n", "v 0 0\n" + square + "f 1 2 3\n"},
       {"a position of one number", square + "f 1 2 3\n", square + "f 1 2 3\nv 7\n"},
       {"exponents, signs and many corners",
@@ -149,7 +150,7 @@ inline std::vector<MeshCase> hidden_edge_meshes() {
           {"a torus: V - E + F = 0", torus(5, 4, Ends::kJoined)},
           {"two cubes apart", both(cube(), cube())},
           {"three triangles that share one edge", mesh_of(5, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}})},
-          {"a cube with one face turned the wrong way", turned(cube(), {3})},
+          {"a cube with one face of the wrong winding", turned(cube(), {3})},
           {"two tetrahedra that share an edge of four faces", mesh_of(6, {{0, 2, 1},
                                                                           {0, 1, 3},
                                                                           {0, 3, 2},
@@ -159,7 +160,7 @@ inline std::vector<MeshCase> hidden_edge_meshes() {
                                                                           {0, 5, 4},
                                                                           {1, 4, 5}})},
           {"a face that visits one position twice", mesh_of(5, {{0, 1, 2, 0, 3, 4}})},
-          {"only faces with fewer than three positions: the mesh is not closed",
+          {"only faces with fewer than three positions, so that the mesh is not closed",
            mesh_of(3, {{0, 0, 1}, {2, 2, 2}})},
           {"repeated corners, and faces of fewer than three positions (C-25)",
            mesh_of(7, {{0, 1, 1, 2}, {2, 1, 3, 2}, {3, 4, 3}, {4, 4, 4}, {5, 6, 5, 6}})},
@@ -171,7 +172,7 @@ inline std::vector<MeshCase> hidden_edge_meshes() {
         for (std::size_t f = 1; f < std::size_t(around) * along; ++f) {
           if (random.integer(0, 2) == 0) faces.push_back(f);
         }
-        return MeshCase{"a torus, some faces turned",
+        return MeshCase{"a torus with some faces turned round",
                         turned(torus(around, along, Ends::kJoined), faces)};
       });
 }
@@ -179,7 +180,7 @@ inline std::vector<MeshCase> hidden_edge_meshes() {
 
 inline std::vector<MeshCase> turn_meshes() {
   return {
-      {"two triangles, the second the wrong way round", mesh_of(4, {{0, 1, 2}, {1, 2, 3}})},
+      {"two triangles, the second with the wrong winding", mesh_of(4, {{0, 1, 2}, {1, 2, 3}})},
       {"a cube with two faces turned", turned(cube(), {1, 4})},
       {"a tube with every third face turned round",
        turned(torus(6, 4, Ends::kOpen), {2, 5, 8, 11, 14, 17})},
@@ -192,9 +193,9 @@ inline std::vector<MeshCase> hidden_turn_meshes() {
       std::vector<MeshCase>{
           {"a torus with all faces turned round except the first",
            turned(torus(4, 3, Ends::kJoined), {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})},
-          {"two cubes apart, each with its own mistakes",
+          {"two separate cubes, each with some faces turned round",
            turned(both(cube(), cube()), {2, 3, 5, 7, 11})},
-          {"triangles that touch only in a point: no face to turn round",
+          {"triangles that touch only in a point, so that no face has to be turned round",
            mesh_of(5, {{0, 1, 2}, {2, 4, 3}})},
       },
       12, 2, [](glassbox::Random& random) {
@@ -204,7 +205,7 @@ inline std::vector<MeshCase> hidden_turn_meshes() {
         for (std::size_t f = 1; f < std::size_t(around) * along; ++f) {
           if (random.integer(0, 2) == 0) faces.push_back(f);
         }
-        return MeshCase{"a torus, some faces turned",
+        return MeshCase{"a torus with some faces turned round",
                         turned(torus(around, along, Ends::kJoined), faces)};
       });
 }
@@ -217,8 +218,8 @@ struct SidesCase {
 };
 inline std::vector<SidesCase> one_sided_meshes() {
   return {{"a Moebius strip, and a ring", strip(5, true), strip(5, false)},
-          {"the same with some faces turned round", turned(strip(8, true), {1, 2}),
-           turned(strip(8, false), {3})}};
+          {"a Moebius strip and a ring, with some faces turned round",
+           turned(strip(8, true), {1, 2}), turned(strip(8, false), {3})}};
 }
 
 // ---- polygons (task 1.4) ----
@@ -252,9 +253,10 @@ inline std::vector<std::pair<float, float>> octagon() {
 inline std::vector<PolygonCase> polygons() {
   return {
       {"a triangle", tilted({{0, 0}, {2, 0}, {0, 3}})},
-      {"a square, beginning with any corner", tilted({{1, 1}, {0, 1}, {0, 0}, {1, 0}})},
+      {"a square whose list of corners begins at the corner (1, 1)",
+       tilted({{1, 1}, {0, 1}, {0, 0}, {1, 0}})},
       {"an arrow whose second corner is reflex (C-23)", tilted({{0, 3}, {1, 0}, {0, -3}, {4, 0}})},
-      {"a polygon whose first corners are in a line (C-21)",
+      {"a polygon whose first three corners are on a line (C-21)",
        tilted({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}})},
       {"an octagon", tilted(octagon())},
       {"a bow-tie with wings of different sizes, whose areas are subtracted (C-24)",
@@ -275,9 +277,11 @@ inline std::vector<PolygonCase> hidden_polygons() {
   return glassbox::labs::with_varied(
       std::vector<PolygonCase>{
           {"an L", tilted({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}})},
-          {"a quad with one corner lifted (C-26)", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5f}, {0, 1, 0}}},
+          {"a quad with one corner off the plane of the others (C-26)",
+           {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5f}, {0, 1, 0}}},
           {"corners repeated (C-25)", tilted({{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}})},
-          {"three corners in one place (C-25)", {{3, 0.1f, -7}, {3, 0.1f, -7}, {3, 0.1f, -7}}},
+          {"a triangle whose three corners are in one place (C-25)",
+           {{3, 0.1f, -7}, {3, 0.1f, -7}, {3, 0.1f, -7}}},
           {"a sliver, far away",
            tilted({{0, 0}, {1, 0.0625f}, {2, 0.1875f}, {1, 0.125f}}, {50000, -30000, 20000})},
       },

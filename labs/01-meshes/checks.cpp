@@ -108,8 +108,8 @@ Case expect_turns(const MeshCase& input) {
 Case expect_sides(const SidesCase& input) {
   return {input.what,
           "one-sided mesh: " + face_text(input.one_sided) + "; 1: an answer, 0: std::nullopt",
-          {numbers("answer for the one-sided mesh", {0}),
-           numbers("answer for the two-sided mesh", {1})}};
+          {numbers("answer for the mesh with one side", {0}),
+           numbers("answer for the mesh with two sides", {1})}};
 }
 
 // ---- normals ----

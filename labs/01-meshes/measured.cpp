@@ -53,9 +53,10 @@ std::vector<MeasuredPoint> measured_points() {
                    timed_polygons(), double(kTimed)});
   };
   for (const double bend : {1e-4, 1e-3, 1e-2, 1e-1})
-    add("second corner bent by the axis' value, heights off by 1e-4", study::noisy_case, bend);
+    add("octagon whose second corner is bent by the value of the axis, heights wrong by up to 1e-4",
+        study::noisy_case, bend);
   for (const double offset : {1.0, 1e2, 1e4, 1e6})
-    add("flat, the axis' value away from the origin", study::far_case, offset);
+    add("flat octagon, as far from the origin as the value of the axis", study::far_case, offset);
   return all;
 }
 

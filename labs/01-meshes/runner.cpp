@@ -53,8 +53,8 @@ void ask_turn(const MeshCase& input, Answer& answer) {
 }
 
 void ask_sides(const SidesCase& input, Answer& answer) {
-  answer.emit("answer for the one-sided mesh", {faces_to_turn(input.one_sided) ? 1.0 : 0.0});
-  answer.emit("answer for the two-sided mesh", {faces_to_turn(input.two_sided) ? 1.0 : 0.0});
+  answer.emit("answer for the mesh with one side", {faces_to_turn(input.one_sided) ? 1.0 : 0.0});
+  answer.emit("answer for the mesh with two sides", {faces_to_turn(input.two_sided) ? 1.0 : 0.0});
 }
 
 void ask_newell(const PolygonCase& input, Answer& answer) {

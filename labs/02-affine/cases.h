@@ -65,9 +65,9 @@ inline std::vector<ComposeCase> compositions() {
   return {
       {"turn, then move (C-19)", {turn(0, 0, 1, 35), move(4, 1, 0)}},
       {"move, then turn (C-19)", {move(4, 1, 0), turn(0, 0, 1, 35)}},
-      {"scale, turn, move: the usual order of a model",
+      {"scale, then turn, then move: the usual order for a model",
        {scale(1, 2, 3), turn(1, 1, 0, 65), move(-1, 5, 2)}},
-      {"about a point that is not the origin",
+      {"a turn about a point that is not the origin",
        {move(-2, -3, -4), turn(2, -1, 1, 110), move(2, 3, 4)}},
   };
 }
@@ -82,11 +82,11 @@ inline std::vector<ComposeCase> hidden_compositions() {
   return glassbox::labs::with_varied(
       std::vector<ComposeCase>{
           {"no step", {}},
-          {"a turn and the turn back, then a move",
+          {"a turn, the same turn back, then a move",
            {turn(3, 4, 12, 123), turn(3, 4, 12, -123), move(1, 0, 0)}},
           {"shears between turns",
            {shear(2, 0, -1.5), turn(0, 1, 1, 77), shear(1, 2, 0.25), turn(5, 0, 1, -20)}},
-          {"a mirror and a long axis",
+          {"a reflection, and a rotation axis that is not of length 1",
            {scale(-1, 1, 1), turn(3000, -4000, 500, 210), move(1, 2, 3)}},
           {"36 steps, as in a deep hierarchy (C-15)", deep},
       },
@@ -130,7 +130,7 @@ inline std::vector<FitCase> hidden_fits() {
           {"triangles with large coordinates",
            {{{-1000003, 523}, {1000001, -77}, {12345, 999999}}},
            {{{700001, -3}, {-999983, 77777}, {5, 1048573}}}},
-          {"a flat target: the map exists, but has no inverse",
+          {"target points on a line: the map exists, but has no inverse",
            {{{0, 1}, {5, 2}, {3, 7}}},
            {{{1, 1}, {2, 2}, {4, 4}}}},
       },
@@ -204,9 +204,9 @@ inline std::vector<RotationCase> stiff_rotations() {
 inline std::vector<RotationCase> hidden_rotations() {
   return glassbox::labs::with_varied(
       std::vector<RotationCase>{
-          {"no turn at all", 1, 0, 0, 0},
+          {"a turn by 0 degrees", 1, 0, 0, 0},
           {"half a turn about y", 0, 0, 1, 0},
-          {"half a turn, the first component negative", 0, -1, 4, 8},
+          {"half a turn about an axis whose first component is negative", 0, -1, 4, 8},
           {"almost half a turn about -z", 1, 0, 0, -10000},
           {"a thousandth of a radian", 2000, 0, 0, 1},
           {"a little less than a right angle", 100, 60, 60, -50},
@@ -245,15 +245,15 @@ inline Transform<World, World> disturbed(const RotationCase& q, double size) {
 
 inline std::vector<DriftCase> drifts() {
   return {{"10^4 products in float (C-11)", drifted(10000)},
-          {"written with three digits (C-12)", disturbed({"", 5, 1, -2, 3}, 0.0005)}};
+          {"a rotation written with three digits (C-12)", disturbed({"", 5, 1, -2, 3}, 0.0005)}};
 }
 // BEGIN HIDDEN
 inline std::vector<DriftCase> hidden_drifts() {
   return glassbox::labs::with_varied(
       std::vector<DriftCase>{
           {"10^5 products in float", drifted(100000)},
-          {"written with six digits", disturbed({"", 1, 7, -2, 3}, 5e-7)},
-          {"off by as much as is allowed", disturbed({"", 2, -3, 1, 1}, 0.0025)}},
+          {"a rotation written with six digits", disturbed({"", 1, 7, -2, 3}, 5e-7)},
+          {"an error as large as is allowed", disturbed({"", 2, -3, 1, 1}, 0.0025)}},
       25, 2, [](glassbox::Random& random) {
         const auto in = [&](int low) { return double(random.integer(low, 9)); };
         const RotationCase q{"", in(1), in(-9), in(-9), in(1)};

@@ -20,9 +20,10 @@ struct CameraCase {
 inline std::vector<CameraCase> cameras() {
   return {
       {"at the origin, along -z", {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}}},
-      {"beside the scene, level", {{4, 0, 3}, {0, 0, 0}, {0, 1, 0}}},
+      {"beside the scene, with a horizontal gaze", {{4, 0, 3}, {0, 0, 0}, {0, 1, 0}}},
       {"from above, `up` not perpendicular to the gaze", {{2, 5, 6}, {0, 1, -1}, {0, 1, 0}}},
-      {"rolled, with a long `up`", {{-3, 2, 1}, {4, -1, -5}, {10, 20, -4}}},
+      {"rolled about the gaze, with an `up` longer than 1",
+       {{-3, 2, 1}, {4, -1, -5}, {10, 20, -4}}},
       {"from behind the scene, along +z and down", {{1, 3, -8}, {1, 1, 2}, {0, 1, 0}}},
   };
 }
@@ -107,7 +108,7 @@ inline std::vector<OntoCase> directions() {
       {"x to y", {1, 0, 0}, {0, 1, 0}},
       {"an acute angle", {1, 2, 2}, {2, 3, 6}},
       {"an obtuse one", {4, 0, -3}, {-5, 12, 1}},
-      {"a ten-thousandth of a radian (C-04)", {1, 2, 2}, {10002, 19999, 20000}},
+      {"directions a ten-thousandth of a radian apart (C-04)", {1, 2, 2}, {10002, 19999, 20000}},
   };
 }
 inline std::vector<OntoCase> opposite_directions() {
@@ -142,7 +143,7 @@ inline std::vector<OntoCase> hidden_opposite_directions() {
       {"-y to y", {0, -1, 0}, {0, 7, 0}},
       {"-x to x", {-2, 0, 0}, {5, 0, 0}},
       {"-z to z", {0, 0, -3}, {0, 0, 1}},
-      {"opposite, all components different", {2, 3, -6}, {-2, -3, 6}},
+      {"opposite directions, all components different", {2, 3, -6}, {-2, -3, 6}},
   };
 }
 // END HIDDEN

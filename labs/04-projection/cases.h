@@ -113,9 +113,10 @@ inline Projection of_thirds() {
 }
 
 inline std::vector<DialectCase> in_clip_space(Dialect dialect) {
-  return {{"perspective, off centre", dialect, off_centre()},
-          {"parallel", dialect, parallel()},
-          {"perspective, all numbers divided by three", dialect, of_thirds()}};
+  return {
+      {"perspective, off centre", dialect, off_centre()},
+      {"parallel", dialect, parallel()},
+      {"a perspective matrix, all of whose entries are divided by three", dialect, of_thirds()}};
 }
 
 inline std::vector<Point<Clip, double>> points() {

@@ -228,7 +228,8 @@ Result<Question> projection_question(const DrawingInput& input) {
     return Question{{reversed, 0, -w, w, -h, h, view.near, view.far}};
   }
   return fail("--frustum",
-              "lab 4 has no function for a window on the near plane that is given by its sides",
+              "lab 4 has no function for a view that is given by the sides of a window on the near "
+              "plane (--frustum)",
               "give the view with --fov or --ortho");
 }
 

@@ -268,11 +268,13 @@ inline std::vector<PlaneCase> polygons() {
       {"all outside", near, {{0, 0, -1, 1}, {1, 0, -2, 1}, {0, 1, -1, 1}}},
       {"one inside", near, {{0, 0, 3, 4}, {1, 0, -1, 1}, {0, 1, -3, 1}}},
       {"two inside", right, {{0, 0, 1, 2}, {5, 0, 1, 2}, {0, 1, 1, 2}}},
-      {"one inside, one on the plane, one outside",
+      {"one corner inside, one on the plane, one outside",
        top,
        {{0, 0, 1, 2}, {1, 2, 1, 2}, {0, 6, 2, 3}}},
-      {"two inside, one on the plane", right, {{2, 0, 1, 2}, {0, 1, 1, 2}, {0, -1, 1, 2}}},
-      {"one on the plane, the others outside", near, {{0, 0, 0, 1}, {1, 0, -1, 1}, {1, 1, -2, 1}}},
+      {"two corners inside, one on the plane", right, {{2, 0, 1, 2}, {0, 1, 1, 2}, {0, -1, 1, 2}}},
+      {"one corner on the plane, the others outside",
+       near,
+       {{0, 0, 0, 1}, {1, 0, -1, 1}, {1, 1, -2, 1}}},
       {"a quad that loses its last corner",
        right,
        {{0, -1, 1, 2}, {1, -1, 1, 2}, {1, 1, 1, 2}, {3, 1, 1, 2}}}};
@@ -282,8 +284,12 @@ inline std::vector<PlaneCase> polygons() {
 inline std::vector<PlaneCase> more_polygons() {
   const Plane far = kFrustum[1], left = kFrustum[2], bottom = kFrustum[4];
   return {
-      {"an edge in the plane, the rest inside", far, {{0, 0, 2, 2}, {1, 0, 3, 3}, {0, 1, 1, 2}}},
-      {"an edge in the plane, the rest outside", far, {{0, 0, 2, 2}, {1, 0, 3, 3}, {0, 1, 4, 2}}},
+      {"an edge in the plane, and the other corners inside",
+       far,
+       {{0, 0, 2, 2}, {1, 0, 3, 3}, {0, 1, 1, 2}}},
+      {"an edge in the plane, and the other corners outside",
+       far,
+       {{0, 0, 2, 2}, {1, 0, 3, 3}, {0, 1, 4, 2}}},
       {"a triangle in the plane", left, {{-2, 0, 1, 2}, {-3, 1, 1, 3}, {-1, 1, 1, 1}}},
       {"two corners of a square on the plane",
        bottom,
@@ -311,13 +317,15 @@ struct FrustumCase {
 inline std::vector<FrustumCase> triangles() {
   return {
       {"inside", {{{-1, -1, 1, 2}, {1, -1, 1, 2}, {0, 1, 1, 2}}}},
-      {"around the whole picture", {{{-9, -4, 1, 2}, {9, -4, 1, 2}, {0, 14, 1, 2}}}},
-      {"through the eye's plane",
+      {"a triangle that contains the whole picture",
+       {{{-9, -4, 1, 2}, {9, -4, 1, 2}, {0, 14, 1, 2}}}},
+      {"a triangle that crosses the plane of the eye",
        {{{0.25f, 0.25f, 0.5f, 1}, {1, -2, -1.5f, -1}, {-2, -1, -1.5f, -1}}}},
       {"behind the eye", {{{0, 0, -2, -1}, {1, 0, -3, -2}, {0, 1, -2, -1}}}},
       {"a corner on each of three planes", {{{-2, 0, 1, 2}, {0, -2, 1, 2}, {2, 1, 1, 2}}}},
-      {"past a corner of the picture", {{{1, 3.5f, 1, 2}, {3.5f, 1, 1, 2}, {4, 4, 1, 2}}}},
-      {"from before the near plane to beyond the far plane",
+      {"a triangle that passes a corner of the picture without touching it",
+       {{{1, 3.5f, 1, 2}, {3.5f, 1, 1, 2}, {4, 4, 1, 2}}}},
+      {"a triangle that reaches from in front of the near plane to behind the far plane",
        {{{0, -1, -5, 2}, {1, 0, 5, 3}, {-1, 0.5f, 4, 3.5f}}}},
       {"a corner that is outside by less than a rounding error: its two crossings are one vertex",
        {{{0.5f, 0.5f, -1e-10f, 2}, {1, 0, 1, 2}, {0, 1, 1, 2}}}}};
@@ -355,11 +363,13 @@ inline std::vector<PairsCase> pairs_of_triangles() {
 // BEGIN HIDDEN
 inline std::vector<FrustumCase> more_triangles() {
   std::vector<FrustumCase> all{
-      {"all six planes cut it", {{{-9, -3, -3, 2}, {4, -3.5f, 1, 2}, {1, 9, 4.5f, 2}}}},
-      {"nine vertices are left", {{{5.5f, 0, 4.5f, 4}, {-6, -5, -3.5f, 0.5f}, {0, 4.5f, 3, 4}}}},
+      {"a triangle that all six planes cut",
+       {{{-9, -3, -3, 2}, {4, -3.5f, 1, 2}, {1, 9, 4.5f, 2}}}},
+      {"a triangle of which nine vertices are left",
+       {{{5.5f, 0, 4.5f, 4}, {-6, -5, -3.5f, 0.5f}, {0, 4.5f, 3, 4}}}},
       {"two corners behind the eye", {{{0, 0.5f, 2, 3}, {3, -8, -4, -2}, {-4, -9, -5, -3}}}},
       {"a corner where three planes meet", {{{2, 2, 0, 2}, {-1, 0, 1, 2}, {0, -1, 1, 2}}}},
-      {"a corner far before the near plane, in the middle of the picture",
+      {"a corner far in front of the near plane, in the middle of the picture",
        {{{0.25f, 0, -4, 1.5f}, {1, -1, 1, 2}, {-1, 1, 1.5f, 2}}}},
       {"the second corner is outside by less than a rounding error",
        {{{0, 1, 1, 2}, {0.5f, 0.5f, -1e-10f, 2}, {1, 0, 1, 2}}}},

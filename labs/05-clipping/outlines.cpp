@@ -136,7 +136,7 @@ std::string restated(std::span<const Point<Clip>> polygon) {
     const Point<Clip>& p = polygon[i];
     text += fmt::format("vertex {}: clip ({}, {}, {}, {})", i, p.x, p.y, p.z, p.w);
     if (!(p.w > 0)) {
-      text += ", at or behind the eye\n";
+      text += ", which is at or behind the eye\n";
       all_in_front = false;
       continue;
     }
@@ -176,7 +176,8 @@ std::optional<Divergence> find_degenerate_outline(const std::vector<double>& val
   const auto outline = outline_of(values);
   Divergence found{.kind = Divergence::Kind::kExtra, .field = "polygon", .unit = "clip units"};
   if (outline.size() == 1 || outline.size() == 2) {
-    found.explanation = "fewer than three vertices are not a polygon: the answer must be empty";
+    found.explanation =
+        "a polygon has at least three vertices; the answer must be empty if fewer are left";
     return found;
   }
   for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -39,7 +39,7 @@ inline std::vector<SnapCase> positions() {
 
 // BEGIN HIDDEN
 inline std::vector<SnapCase> more_positions() {
-  SnapCase near_ties{"the floats next to halves", {}};
+  SnapCase near_ties{"the floats next to a half step", {}};
   for (const int k : {1, 3, 5, -1, -3, -5, 513, -1025}) {
     const float tie = float(k) / 512;
     near_ties.pixels.push_back(std::nextafter(tie, -1e9f));
@@ -77,7 +77,7 @@ inline std::vector<EdgeCase> edges() {
             {at(1, 1), at(1, 9), at(3, 3)},
             {at(1, 9), at(9, 1), at(3, 3)},
             {at(9, 1), at(1, 1), at(3, 3)}}},
-          {"edges across 65 K pixels, whose products need 50 bits (C-50)",
+          {"edges across 65,536 pixels, whose products need 50 bits (C-50)",
            {{SnappedVertex{-0x7fffff, -0x7ffff0}, {0x7fffff, 0x7ffff1}, {0x7ffff0, -0x7fffff}},
             {SnappedVertex{0x7fffff, -0x7ffff1}, {-0x7ffff3, 0x7ffff5}, {3, 5}}}},
           picture};
@@ -86,8 +86,8 @@ inline std::vector<EdgeCase> edges() {
 // BEGIN HIDDEN
 inline std::vector<EdgeCase> far_edges() {
   Random random = glassbox::labs::varied(63);
-  EdgeCase large{"edges 8 K and 32 K pixels long (C-50)", {}},
-      close{"points next to and on edges of 32 K pixels", {}};
+  EdgeCase large{"edges 8,192 and 32,768 pixels long (C-50)", {}},
+      close{"points on edges of 32,768 pixels and next to them", {}};
   for (int i = 0; i < 20; ++i)
     large.samples.push_back(random_sample(random, (i % 2 ? 8192 : 32768) * kSteps));
   for (int i = 0; i < 20; ++i) {
@@ -117,7 +117,7 @@ inline std::vector<EdgeCase> directions() {
 // BEGIN HIDDEN
 inline std::vector<EdgeCase> more_directions() {
   EdgeCase almost{"edges that are one step away from horizontal", {}},
-      any{"all sorts of edges", {}};
+      any{"edges in random directions", {}};
   for (const int dx : {-70000, 70000}) {
     for (const int dy : {-1, 0, 1})
       almost.samples.push_back({SnappedVertex{40, 9}, {40 + dx, 9 + dy}, {}});
@@ -162,17 +162,17 @@ inline std::vector<CoverageCase> triangles() {
       {"Direct3D's pair: 15 and 10 pixels (C-43)",
        {{at(0, 0), at(5, 0), at(5, 5)}, {at(0, 5), at(0, 0), at(5, 5)}}},
       {"one triangle in general position", {{at(0.75, 0.25), at(7.5, 3.125), at(2.25, 7.75)}}},
-      {"one of each winding side by side, and one without area (C-49, C-51)",
+      {"two triangles of opposite winding side by side, and one without area (C-49, C-51)",
        {{at(1, 1), at(7, 2), at(2, 7)},
         {at(7, 2), at(2, 7), at(7, 7)},
         {at(0, 0), at(3, 3), at(6, 6)}}},
-      {"across the left and the upper edge of the screen (C-48)",
+      {"a triangle across the left and the upper edge of the screen (C-48)",
        {{at(-5.75, -4.25), at(4.5, -1.5), at(-2.25, 6.5)}},
        {-7, -6, 6, 7}},
       {"edges that pass centres by one step",
        {{at(0.75, 0.75390625), at(7, 7.00390625), at(1, 7)},
         {at(0.75, 0.74609375), at(7, 6.99609375), at(7, 1)}}},
-      {"a window in a triangle that is larger on all sides, and one with a corner of it",
+      {"a triangle larger than the window on all sides, and one with a corner in the window",
        {{at(-20, -12), at(50, 1.5), at(3.25, 60)}, {at(-20, -30), at(8.5, 7.5), at(40, -25)}},
        {2, 3, 11, 9}},
       fan(7, 8.5, 6)};
@@ -265,7 +265,9 @@ inline std::vector<PolygonsCase> polygons() {
 // BEGIN HIDDEN
 inline std::vector<PolygonsCase> thin_polygons() {
   Random random = glassbox::labs::varied(68);
-  PolygonsCase thin{"flat polygons that the snap has bent slightly", {}}, turned = thin;
+  PolygonsCase thin{
+      "thin polygons that are not quite convex, because the snap has moved their corners", {}},
+      turned = thin;
   for (int i = 0; i < 60; ++i) {
     const int count = int(random.integer(4, 9));
     std::vector<SnappedVertex> polygon;
@@ -305,8 +307,8 @@ inline std::vector<TileCase> tilings() {
                  {at(1, 1), at(63, 60), at(60, 63)}, 8, screen),
           tiling("edges through the centres at the tiles' borders (C-53)",
                  {at(8.5, 8.5), at(47.5, 8.5), at(8.5, 47.5)}, 8, screen),
-          tiling("the other half of its square", {at(47.5, 47.5), at(8.5, 47.5), at(47.5, 8.5)}, 8,
-                 screen),
+          tiling("the triangle that is the other half of the square",
+                 {at(47.5, 47.5), at(8.5, 47.5), at(47.5, 8.5)}, 8, screen),
           tiling("a thin triangle between the corners of its tiles",
                  {at(1, 4), at(62, 28), at(62.5, 29)}, 8, screen),
           tiling("edges that pass the centres at the tiles' borders by one step",

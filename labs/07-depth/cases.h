@@ -57,8 +57,8 @@ struct DistanceCase {
 
 inline std::vector<DistanceCase> depths() {
   const std::vector<double> some{0, 0.25, 0.5, 0.9, 0.999, 1};
-  return {{"near and far of one order, standard", {1, 4, Range::kStandard}, some},
-          {"near and far of one order, reversed", {1, 4, Range::kReversed}, some},
+  return {{"near and far of similar size, standard depth", {1, 4, Range::kStandard}, some},
+          {"near and far of similar size, reversed depth", {1, 4, Range::kReversed}, some},
           {"far / near = 10^5, standard (C-10)", {0.1, 1e4, Range::kStandard}, some},
           {"far / near = 10^5, reversed (C-10)", {0.1, 1e4, Range::kReversed}, some},
           {"an infinite far plane", {0.1, kInfinity, Range::kStandard}, some}};
@@ -70,8 +70,9 @@ inline std::vector<DistanceCase> more_depths() {
   for (int k = 10; k <= 50; k += 4) close.depths.push_back(1 - std::ldexp(1.0, -k));
   DistanceCase small{"small depths of the reversed range", {1e-2, 1e7, Range::kReversed}, {}};
   for (int k = 10; k <= 50; k += 4) small.depths.push_back(std::ldexp(1.0, -k));
-  DistanceCase infinite{
-      "small depths, infinitely far", {0.3, kInfinity, Range::kReversed}, small.depths};
+  DistanceCase infinite{"small reversed depths, with an infinite far plane",
+                        {0.3, kInfinity, Range::kReversed},
+                        small.depths};
   infinite.depths.push_back(0);
   return {close, small, infinite};
 }
@@ -95,7 +96,8 @@ inline const char* name_of(Format format) {
 inline std::vector<CodeCase> codes() {
   std::vector<CodeCase> all;
   for (const Format format : kFormats)
-    all.push_back({std::string(name_of(format)) + ": the ends, the middle, outside (C-61)",
+    all.push_back({std::string(name_of(format)) +
+                       ": depths 0 and 1, the middle, and depths outside [0, 1] (C-61)",
                    format,
                    {0.0f, 1.0f, 0.5f, 0.75f, 0.1f, 1 - 0x1p-24f, -0.25f, 1.5f, -0.0f}});
   return all;
@@ -131,11 +133,11 @@ struct BufferCase {
 };
 
 inline std::vector<BufferCase> buffers() {
-  return {{"the nearer one, whichever comes first",
+  return {{"the nearer fragment is seen, whichever comes first",
            Format::kFloat32,
            3,
            {{0, 0.5f}, {0, 0.25f}, {1, 0.25f}, {1, 0.5f}}},
-          {"reversed: the larger depth is nearer",
+          {"reversed depth: the larger depth is nearer",
            Format::kFloat32Reversed,
            3,
            {{0, 0.5f}, {0, 0.25f}, {1, 0.25f}, {1, 0.5f}}},
@@ -143,11 +145,11 @@ inline std::vector<BufferCase> buffers() {
            Format::kUnorm24,
            4,
            {{0, 0.5f}, {1, 0.5f}, {2, 0.75f}, {0, 0.5f}, {1, 0.5f}, {2, 0.75f}, {2, 0.75f}}},
-          {"on the far plane, and an empty pixel",
+          {"fragments on the far plane, and an empty pixel",
            Format::kUnorm24,
            3,
            {{0, 1.0f}, {2, 1.0f}, {2, 0.0f}}},
-          {"on the far plane of the reversed range (C-62)",
+          {"fragments on the far plane, with reversed depth (C-62)",
            Format::kFloat32Reversed,
            3,
            {{0, 0.0f}, {2, 0.0f}, {2, 1.0f}}},
@@ -163,7 +165,10 @@ inline std::vector<BufferCase> more_buffers() {
   Random random = glassbox::labs::varied(72);
   for (const Format format : kFormats) {
     // Depths of few different values, including 0 and 1, so that ties are frequent.
-    BufferCase c{std::string(name_of(format)) + ": many fragments with many ties", format, 40, {}};
+    BufferCase c{std::string(name_of(format)) + ": many fragments, many of them with equal depths",
+                 format,
+                 40,
+                 {}};
     for (int i = 0; i < 400; ++i)
       c.fragments.push_back({int(random.integer(0, 39)), float(random.integer(0, 16)) / 16});
     all.push_back(c);
@@ -206,7 +211,7 @@ inline std::vector<LadderCase> more_ladders() {
                    0.25,
                    kInfinity,
                    {0.3, 3, 70, 900, 5e5, 3e7}});
-    all.push_back({std::string(name_of(format)) + ": near and far of one order",
+    all.push_back({std::string(name_of(format)) + ": near and far of similar size",
                    format,
                    5,
                    10,

@@ -19,17 +19,18 @@ struct PixelCase {
 
 inline std::vector<PixelCase> pixels() {
   return {
-      {"all at the same distance", {{1, 2, 5}, {0.25f, 0.25f, 0.25f}, {{{0, 0}, {1, 0}, {0, 1}}}}},
-      {"a wall, its far end four times as far",
+      {"all corners at the same distance",
+       {{1, 2, 5}, {0.25f, 0.25f, 0.25f}, {{{0, 0}, {1, 0}, {0, 1}}}}},
+      {"a wall whose far end is four times as far as its near end",
        {{32768, 32768, 65536}, {1, 0.25f, 0.5f}, {{{0, 0}, {1, 0}, {0.5f, 1}}}}},
       {"in vertex 2", {{0, 0, 977}, {0.5f, 3, 0.125f}, {{{0, 0}, {1, 0}, {0.3f, 0.7f}}}}},
-      {"a wall, a hundred times as far (C-65)",
+      {"a wall whose far end is a hundred times as far as its near end (C-65)",
        {{9000, 30001, 26535}, {1, 0.01f, 0.013f}, {{{0, 8}, {256, 8}, {250, 0}}}},
        "glassbox study extremes --case C-65"},
-      {"coordinates around two thousand (C-67)",
+      {"texture coordinates around two thousand (C-67)",
        {{23331, 23894, 84998}, {1, 0.5f, 0.2f}, {{{2000.25f, 0}, {2001, 0.25f}, {2000.5f, 1}}}},
        "glassbox study extremes --case C-67"},
-      {"a coordinate that is the same everywhere",
+      {"a texture coordinate that is the same everywhere",
        {{3, 70, 11}, {0.7f, 0.01f, 0.3f}, {{{0.1f, 0.2f}, {0.1f, 0.4f}, {0.1f, 0.9f}}}}},
   };
 }
@@ -75,9 +76,9 @@ struct SpanCase {
 
 inline std::vector<SpanCase> spans() {
   return {
-      {"at one distance: a straight line", {0, 16, 1, 1, 8}, 4},
-      {"a wall, four times as far at its end", {0, 16, 1, 0.25, 16}, 8},
-      {"a division at every border between pixels", {3, -5, 0.5, 0.1, 6}, 1},
+      {"a row at one distance, along which u is linear", {0, 16, 1, 1, 8}, 4},
+      {"a wall that is four times as far at its end", {0, 16, 1, 0.25, 16}, 8},
+      {"a division for each pixel", {3, -5, 0.5, 0.1, 6}, 1},
       {"a last span of 4 pixels", {0, 20, 1, 0.1, 20}, 8},
   };
 }
@@ -85,7 +86,7 @@ inline std::vector<SpanCase> spans() {
 inline std::vector<SpanCase> hidden_spans() {
   return glassbox::labs::with_varied(
       std::vector<SpanCase>{
-          {"a hundred times as far (C-65)", {0, 256, 1, 0.01, 256}, 32},
+          {"a wall that is a hundred times as far at its end (C-65)", {0, 256, 1, 0.01, 256}, 32},
           {"affine: one span", {-10, 90, 0.02, 1, 64}, 64},
           {"a last span of one pixel", {100, 7, 0.3, 0.9, 33}, 16},
       },
@@ -133,25 +134,25 @@ struct FootprintCase {
 
 inline std::vector<FootprintCase> footprints() {
   return {
-      {"facing the eye, two texels to the pixel",
+      {"a triangle that faces the eye, with two texels per pixel",
        {{{0, 0, 1, 0, 0}, {64, 0, 1, 1, 0}, {0, 64, 1, 0, 1}}},
        16.5,
        20.5,
        128,
        128},
-      {"a wall, its far end eight times as far",
+      {"a wall whose far end is eight times as far as its near end",
        {{{10, 20, 1, 0, 0}, {210, 90, 0.125, 1, 0}, {10, 180, 1, 0, 1}}},
        100.5,
        90.5,
        256,
        256},
-      {"a floor, wound the other way",
+      {"a floor with the other winding",
        {{{20, 200, 0.5, 0, 0}, {220, 200, 0.5, 1, 0}, {100, 110, 0.02, 0.5, 12}}},
        96.5,
        140.5,
        64,
        64},
-      {"texels larger than pixels: level 0",
+      {"texels larger than pixels, which need level 0",
        {{{0, 0, 1, 0, 0}, {100, 0, 0.5, 0.125, 0}, {0, 100, 0.75, 0, 0.0625}}},
        30.5,
        30.5,
@@ -168,25 +169,26 @@ inline std::vector<FootprintCase> hidden_footprints() {
        50.5,
        1024,
        64},
-      {"smaller than one texel: the last level",
+      {"a triangle smaller than one texel, which needs the last level",
        {{{0, 0, 1, 0, 0}, {8, 0, 0.5, 90, 0}, {0, 8, 0.7, 0, 70}}},
        2.5,
        2.5,
        32,
        16},
-      {"one colour: coordinates that do not change",
+      {"texture coordinates that do not change, so that there is one colour",
        {{{0, 0, 1, 0.3, 0.4}, {50, 3, 0.1, 0.3, 0.4}, {9, 60, 0.4, 0.3, 0.4}}},
        20.5,
        20.5,
        256,
        256},
-      {"a wall thirty times as far, its coordinates around a thousand (C-67)",
+      {"a wall whose far end is thirty times as far, with texture coordinates around a thousand "
+       "(C-67)",
        {{{10, 10, 1, 1000, 1000}, {140, 60, 0.03125, 1008, 1000}, {10, 150, 1, 1000, 1001}}},
        110.5,
        60.5,
        512,
        512},
-      {"at an outline: no neighbour is on the triangle (C-69)",
+      {"a pixel at an outline, none of whose neighbours is on the triangle (C-69)",
        {{{40, 40, 0.5, 0, 0}, {41, 40, 0.5, 0.125, 0}, {40, 41, 0.25, 0, 0.25}}},
        40.5,
        40.5,
@@ -327,7 +329,7 @@ struct LevelCase {
 inline std::vector<LevelCase> levels() {
   return {
       {"the body, to a quarter of a pixel", teapot_body(), 140, 0.25},
-      {"the body, far away", teapot_body(), 8, 0.25},
+      {"the body, seen from far away", teapot_body(), 8, 0.25},
       {"the knob, to a pixel", teapot_knob(), 140, 1},
       {"a flat square", flat_square(), 5000, 0.01},
   };
@@ -338,7 +340,7 @@ inline std::vector<LevelCase> hidden_levels() {
       {"the spout, to half a pixel", teapot_spout(), 200, 0.5},
       {"the bottom, to a quarter of a pixel", teapot_bottom(), 140, 0.25},
       {"the spout, smaller than a pixel", teapot_spout(), 0.1, 1},
-      {"more than 256 would be needed", teapot_spout(), 1e6, 0.01},
+      {"a surface that would need more than 256 cells along a side", teapot_spout(), 1e6, 0.01},
   };
 }
 // END HIDDEN

@@ -162,7 +162,7 @@ Case expect_choice(const ChoiceCase& input) {
   }
   return {fmt::format("at most {} texels", input.tolerance),
           text,
-          {numbers("pixels from division to division", {double(every)}),
+          {numbers("pixels between two divisions", {double(every)}),
            numbers("error", {error}, 64 * u53 * scale_of(line), "texel")}};
 }
 

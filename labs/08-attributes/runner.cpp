@@ -20,7 +20,7 @@ void put_span(const SpanCase& input, Answer& answer) {
 
 void put_choice(const ChoiceCase& input, Answer& answer) {
   const SpanChoice choice = longest_span(input.line, input.tolerance);
-  answer.emit("pixels from division to division", {double(choice.every)});
+  answer.emit("pixels between two divisions", {double(choice.every)});
   answer.emit("error", {choice.error});
 }
 

@@ -57,7 +57,7 @@ inline std::vector<ProjectionCase> projections() {
 inline std::vector<ProjectionCase> hidden_projections() {
   return glassbox::labs::with_varied(
       std::vector<ProjectionCase>{
-          {"the picture's middle beside the gaze",
+          {"a picture whose middle is not on the gaze",
            perspective_matrix(1.9, 0.3, -1.125, -2.25),
            {0.07, 3}},
           {"a parallel projection", parallel_matrix(0.21, -0.4, -0.0625, -0.125), {0.3, 11}},
@@ -113,11 +113,11 @@ struct ParallaxCase {
 inline std::vector<ParallaxCase> distances() {
   const Pair pair{0.05, 4};
   const Picture picture{1.8, 1280};
-  return {{"in front of the window", pair, picture, 2.5},
+  return {{"a distance in front of the window", pair, picture, 2.5},
           {"behind it", pair, picture, 9},
           {"at the window (C-70)", pair, picture, 4},
           {"infinitely far", pair, picture, kInfinity},
-          {"just behind the window", pair, picture, 4.000001}};
+          {"a distance just behind the window", pair, picture, 4.000001}};
 }
 // BEGIN HIDDEN
 inline std::vector<ParallaxCase> hidden_distances() {
@@ -127,9 +127,12 @@ inline std::vector<ParallaxCase> hidden_distances() {
       std::vector<ParallaxCase>{
           {"near the eyes (C-73)", pair, picture, 0.1},
           {"a window distance with many digits", {0.07, 0.3}, picture, 1.1},
-          {"just in front of a far window", {3, 1e6}, picture, 999999.99999},
+          {"a distance just in front of a far window", {3, 1e6}, picture, 999999.99999},
           {"far behind it", pair, picture, 1e9},
-          {"parallel eyes without skew: all is in front", {0.03, kInfinity}, picture, 7},
+          {"parallel eyes without skew, for which everything is in front of the window",
+           {0.03, kInfinity},
+           picture,
+           7},
           {"no separation (C-71)", {0, 10}, picture, 3},
           {"a small picture", pair, {1.37, 40}, 12},
           {"very large units", {3e199, 1e200}, picture, 2.5e200}},
@@ -170,66 +173,77 @@ inline std::array<StereoPoint, 3> upright(const Pair& pair, double x0, double x1
 
 inline std::vector<CullCase> triangles() {
   const Pair pair{0.5, 10};
-  CullCase all{"at the six planes that both eyes see much alike", {}, {}};
+  CullCase all{"small triangles inside and outside the view volume", {}, {}};
   all.add("in the middle", upright(pair, -1, 1, 0, 8));
-  all.add("far to the left", upright(pair, -30, -28, 0, 8));
-  all.add("far to the right", upright(pair, 28, 30, 0, 8));
+  all.add("a triangle far to the left", upright(pair, -30, -28, 0, 8));
+  all.add("a triangle far to the right", upright(pair, 28, 30, 0, 8));
   all.add("above", upright(pair, -1, 1, 9, 8));
   all.add("below", upright(pair, -1, 1, -9, 8));
-  all.add("nearer than the near plane", upright(pair, -0.1, 0.1, 0, 0.75));
+  all.add("a triangle nearer than the near plane", upright(pair, -0.1, 0.1, 0, 0.75));
   all.add(
-      "far before the near plane",
+      "a triangle far in front of the near plane",
       {StereoPoint{0.5f, 0.25f, 0, -3, 1}, {0.75f, 0.5f, 0, -4, 1}, {0.5f, 0.25f, 0.5f, -3, 1}});
   all.add("behind the eyes", upright(pair, -1, 1, 0, -8));
-  all.add("beyond the far plane", upright(pair, -1, 1, 0, 70));
-  all.add("across the left side", upright(pair, -10, -6, 0, 8));
-  CullCase behind{"at the sides, behind the window (C-74)", {}, {}};
-  behind.add("seen by the left eye alone, at its right side", upright(pair, 40.25, 41.25, 0, 40));
-  behind.add("seen by the right eye alone, at its left side", upright(pair, -41.25, -40.25, 3, 40));
+  all.add("a triangle beyond the far plane", upright(pair, -1, 1, 0, 70));
+  all.add("a triangle across the left side of the frustum", upright(pair, -10, -6, 0, 8));
+  CullCase behind{"triangles at the sides, behind the window (C-74)", {}, {}};
+  behind.add("a triangle that only the left eye sees, at its right side",
+             upright(pair, 40.25, 41.25, 0, 40));
+  behind.add("a triangle that only the right eye sees, at its left side",
+             upright(pair, -41.25, -40.25, 3, 40));
   behind.add("seen by both", upright(pair, 37, 38, -5, 40));
-  behind.add("too far right for both", upright(pair, 42, 43, 0, 40));
-  behind.add("too far left for both", upright(pair, -43, -42, 0, 40));
-  CullCase before{"at the sides, in front of the window (C-73)", {}, {}};
-  before.add("seen by the right eye alone", upright(pair, 1.75, 2.25, 0, 2));
-  before.add("seen by the left eye alone", upright(pair, -2.25, -1.75, 0, 2));
+  behind.add("a triangle too far to the right for both eyes", upright(pair, 42, 43, 0, 40));
+  behind.add("a triangle too far to the left for both eyes", upright(pair, -43, -42, 0, 40));
+  CullCase before{"triangles at the sides, in front of the window (C-73)", {}, {}};
+  before.add("a triangle that only the right eye sees", upright(pair, 1.75, 2.25, 0, 2));
+  before.add("a triangle that only the left eye sees", upright(pair, -2.25, -1.75, 0, 2));
   before.add("seen by both", upright(pair, 0.5, 1, 0, 2));
-  before.add("too far right for both", upright(pair, 2.5, 3, 0, 2));
-  before.add("too far left for both", upright(pair, -3, -2.5, 0, 2));
+  before.add("a triangle too far to the right for both eyes", upright(pair, 2.5, 3, 0, 2));
+  before.add("a triangle too far to the left for both eyes", upright(pair, -3, -2.5, 0, 2));
   return {all, behind, before};
 }
 // BEGIN HIDDEN
 inline std::vector<CullCase> hidden_triangles() {
   const Pair wide{3, 10}, pair{0.5, 10};
-  CullCase odd{"planes of their own", {}, {}};
-  odd.add("between the frusta of eyes far apart: right of the left one, left of the right one",
+  CullCase odd{"triangles whose corners are outside different planes", {}, {}};
+  odd.add("a triangle between the frusta of eyes that are far apart",
           upright(wide, -0.25, 0.25, 0, 1.5));
-  odd.add("seen by the right eye alone", upright(wide, 1.5, 2, 0, 1.5));
-  odd.add("around the whole view: each corner is outside another plane",
+  odd.add("a triangle that only the right eye sees", upright(wide, 1.5, 2, 0, 1.5));
+  odd.add("a triangle around the whole view, with each corner outside another plane",
           {seen_at(pair, -50, -20, 8), seen_at(pair, 50, -20, 8), seen_at(pair, 0, 60, 8)});
-  odd.add("with a corner on the right side of the left eye",
+  odd.add("a triangle with a corner on the right side of the left eye's frustum",
           {StereoPoint{8, 6, 0, 4, 8}, {9, 9, 0, 4, 8}, {9, 9, 1, 4, 8}});
-  odd.add("far before the near plane",
+  odd.add("a triangle far in front of the near plane",
           {StereoPoint{1, 0, 0, -9, 2}, {1, 0, 1, -9, 2}, {0, -1, 0, -8, 2}});
   // Each of these triangles has one corner on a plane and the others outside it. A corner on the
   // plane is inside, so the triangle is drawn.
-  odd.add("with a corner on the far plane",
+  odd.add("a triangle with a corner on the far plane",
           {StereoPoint{0, 0, 0, 8, 8}, {1, 1, 0, 9, 8}, {0, 0, 1, 9, 8}});
-  odd.add("with a corner on the top plane",
+  odd.add("a triangle with a corner on the top plane",
           {StereoPoint{0, 0, 8, 4, 8}, {1, 1, 9, 4, 8}, {-1, -1, 9, 4, 8}});
-  odd.add("with a corner on the bottom plane",
+  odd.add("a triangle with a corner on the bottom plane",
           {StereoPoint{0, 0, -8, 4, 8}, {1, 1, -9, 4, 8}, {-1, -1, -9, 4, 8}});
-  odd.add("with a corner on the left side of the left eye, left of the right one",
-          {StereoPoint{-8, -10, 0, 4, 8}, {-9, -11, 0, 4, 8}, {-9, -11, 1, 4, 8}});
-  odd.add("with a corner on the right side of the left eye, right of the right one",
-          {StereoPoint{8, 10, 0, 4, 8}, {9, 11, 0, 4, 8}, {9, 11, 1, 4, 8}});
-  odd.add("with a corner on the left side of the right eye, left of the left one",
-          {StereoPoint{-10, -8, 0, 4, 8}, {-11, -9, 0, 4, 8}, {-11, -9, 1, 4, 8}});
-  odd.add("with a corner on the right side of the right eye, right of the left one",
-          {StereoPoint{10, 8, 0, 4, 8}, {11, 9, 0, 4, 8}, {11, 9, 1, 4, 8}});
-  odd.add("beyond the far plane, one corner behind the eyes",
+  odd.add(
+      "a triangle with a corner on the left side of the left eye's frustum, outside the right "
+      "eye's",
+      {StereoPoint{-8, -10, 0, 4, 8}, {-9, -11, 0, 4, 8}, {-9, -11, 1, 4, 8}});
+  odd.add(
+      "a triangle with a corner on the right side of the left eye's frustum, outside the right "
+      "eye's",
+      {StereoPoint{8, 10, 0, 4, 8}, {9, 11, 0, 4, 8}, {9, 11, 1, 4, 8}});
+  odd.add(
+      "a triangle with a corner on the left side of the right eye's frustum, outside the left "
+      "eye's",
+      {StereoPoint{-10, -8, 0, 4, 8}, {-11, -9, 0, 4, 8}, {-11, -9, 1, 4, 8}});
+  odd.add(
+      "a triangle with a corner on the right side of the right eye's frustum, outside the left "
+      "eye's",
+      {StereoPoint{10, 8, 0, 4, 8}, {11, 9, 0, 4, 8}, {11, 9, 1, 4, 8}});
+  odd.add("a triangle beyond the far plane, with one corner behind the eyes",
           {StereoPoint{0, 0, 0, 1, -1}, {0, 0, 0, 10, 8}, {1, 1, 0, 10, 8}});
-  odd.add("on the near plane", {StereoPoint{0, 0, 0, 0, 1}, {1, 1, 0, 0, 1}, {0, 0, 1, 0, 1}});
-  odd.add("two corners above, one far below",
+  odd.add("a triangle on the near plane",
+          {StereoPoint{0, 0, 0, 0, 1}, {1, 1, 0, 0, 1}, {0, 0, 1, 0, 1}});
+  odd.add("a triangle with two corners above the view and one far below it",
           {seen_at(pair, 0, 20, 8), seen_at(pair, 1, 20, 8), seen_at(pair, 0, -20, 8)});
   glassbox::Random random(9);
   CullCase many{"two hundred triangles", {}, {}};
@@ -275,16 +289,19 @@ inline AnaglyphCase anaglyph_case(const char* what, Lenses lenses, int width, in
 
 inline std::vector<AnaglyphCase> anaglyphs() {
   const Rgba8 cream{250, 240, 200, 255}, slate{60, 70, 90, 255}, leaf{30, 160, 50, 255};
-  AnaglyphCase apart = anaglyph_case("one pixel for each eye", Lenses::kRedCyan, 5, 3);
+  AnaglyphCase apart =
+      anaglyph_case("one pixel, with one fragment for each eye", Lenses::kRedCyan, 5, 3);
   apart.anaglyph.background = slate;
   apart.anaglyph.left = {{3, 1, 0.5f, cream}};
   apart.anaglyph.right = {{1, 1, 0.5f, cream}};
-  AnaglyphCase order = anaglyph_case("near before far and far before near", Lenses::kRedCyan, 4, 2);
+  AnaglyphCase order =
+      anaglyph_case("in one pixel the near fragment comes first, in the other the far one",
+                    Lenses::kRedCyan, 4, 2);
   order.anaglyph.left = {{0, 0, 0.25f, cream}, {0, 0, 0.75f, leaf}, {1, 1, 0.75f, leaf}};
   order.anaglyph.right = {{2, 0, 0.75f, leaf}, {2, 0, 0.25f, cream}, {1, 1, 0.75f, cream}};
-  AnaglyphCase hidden =
-      anaglyph_case("something far for the right eye where the left eye has something near (C-76)",
-                    Lenses::kRedCyan, 4, 2);
+  AnaglyphCase hidden = anaglyph_case(
+      "a pixel with a near fragment for the left eye and a far one for the right eye (C-76)",
+      Lenses::kRedCyan, 4, 2);
   hidden.anaglyph.background = {0, 0, 40, 255};
   hidden.anaglyph.left = {{1, 0, 0.25f, cream}, {2, 0, 0.75f, leaf}};
   hidden.anaglyph.right = {{0, 0, 0.25f, cream}, {1, 0, 0.75f, leaf}, {2, 0, 0.75f, leaf}};
@@ -296,11 +313,12 @@ inline std::vector<AnaglyphCase> anaglyphs() {
 }
 // BEGIN HIDDEN
 inline std::vector<AnaglyphCase> hidden_anaglyphs() {
-  AnaglyphCase equal = anaglyph_case("equally near: the first stays", Lenses::kRedCyan, 3, 2);
+  AnaglyphCase equal =
+      anaglyph_case("equally near fragments, of which the first stays", Lenses::kRedCyan, 3, 2);
   equal.anaglyph.left = {{1, 0, 0.5f, {10, 20, 30, 255}}, {1, 0, 0.5f, {40, 50, 60, 255}}};
   equal.anaglyph.right = {{1, 0, 0.5f, {70, 80, 90, 255}}, {1, 0, 0.5f, {1, 2, 3, 255}}};
-  AnaglyphCase far =
-      anaglyph_case("on the far plane, over a bright background", Lenses::kAmberBlue, 3, 2);
+  AnaglyphCase far = anaglyph_case("fragments on the far plane, over a bright background",
+                                   Lenses::kAmberBlue, 3, 2);
   far.anaglyph.background = {255, 255, 255, 255};
   far.anaglyph.left = {{0, 1, 1.0f, {9, 8, 7, 255}}};
   far.anaglyph.right = {{2, 1, 1.0f, {4, 5, 6, 255}}};
@@ -358,7 +376,11 @@ inline std::vector<ColourCase> colours() {
 }
 // BEGIN HIDDEN
 inline std::vector<ColourCase> hidden_colours() {
-  return {{"blue by Dubois' matrix, beyond 1", dubois_matrix(), {0, 0}, {0, 0, 0}, {0, 0, 1}},
+  return {{"blue by Dubois' matrix, where the result is above 1",
+           dubois_matrix(),
+           {0, 0},
+           {0, 0, 0},
+           {0, 0, 1}},
           {"white", dubois_matrix(), {0.3, 0.4}, {1, 1, 1}, {1, 1, 1}},
           {"grey", mask_matrix(), {1, 0}, {0.2, 0.9, 0.4}, {0.8, 0.1, 0.3}},
           {"yellow for one eye, blue for the other",
@@ -389,13 +411,15 @@ inline std::vector<ComfortCase> sequences() {
   const Picture picture{1.5, 1280};
   const Budget budget{30, 20};
   return {
-      {"each frame by itself",
+      {"frames that do not depend on each other (release in 0 frames)",
        picture,
        budget,
        {{2, 20, 5}, {3, kInfinity, 4}, {5, 9, 5}, {1, 6, 6}, {4, 4.5, 6}, {5, 5, 5}},
        0},
-      {"something comes near at once", picture, budget, repeated({3, 20, 5}, 3, {1, 20, 5}, 3), 15},
-      {"and goes away slowly", picture, budget, repeated({1, 20, 5}, 3, {3, 20, 5}, 8), 15},
+      {"an object that suddenly comes near", picture, budget,
+       repeated({3, 20, 5}, 3, {1, 20, 5}, 3), 15},
+      {"an object that suddenly goes away, after which the eyes move apart slowly", picture, budget,
+       repeated({1, 20, 5}, 3, {3, 20, 5}, 8), 15},
   };
 }
 // BEGIN HIDDEN
@@ -422,13 +446,17 @@ inline std::vector<ComfortCase> hidden_sequences() {
        {80, 62.4},
        {{8, 20, 10}, {8, 100, 10}, {8, kInfinity, 10}, {0.4, kInfinity, 0.5}, {24, 60, 30}},
        0},
-      {"nothing allowed in front", picture, {0, 40}, repeated({2, 9, 2}, 2, {1.5, 9, 2}, 4), 3},
+      {"a budget of 0 in front of the window",
+       picture,
+       {0, 40},
+       repeated({2, 9, 2}, 2, {1.5, 9, 2}, 4),
+       3},
       {"eyes without skew",
        picture,
        {30, 20},
        repeated({2, 50, kInfinity}, 3, {4, 50, kInfinity}, 3),
        2},
-      {"a walk of sixty frames", picture, {40, 25}, walk, 15},
+      {"sixty frames with random distances", picture, {40, 25}, walk, 15},
   };
 }
 // END HIDDEN

@@ -55,9 +55,9 @@ inline std::vector<PoseCase> poses() {
 // BEGIN HIDDEN
 inline std::vector<PoseCase> hidden_poses() {
   return glassbox::labs::with_varied(
-      std::vector<PoseCase>{{"one camera ahead of the other", {not_turned(), {0, 0, 2}}},
+      std::vector<PoseCase>{{"one camera in front of the other", {not_turned(), {0, 0, 2}}},
                             {"a quarter turn", {turned_by(1, 0, 0, 1), {0.3, 0.7, -1.1}}},
-                            {"one point of view", {turned_by(9, 1, 2, -1), {0, 0, 0}}},
+                            {"both cameras in one place", {turned_by(9, 1, 2, -1), {0, 0, 0}}},
                             {"far apart", {turned_by(3, -1, 2, 1), {700, -300, 90}}}},
       101, 3, [](glassbox::Random& random) {
         PoseCase any{"any two cameras", random_pose(random)};
@@ -89,13 +89,13 @@ inline Matrix given_essential(const Pose& pose) {
 
 inline std::vector<LineCase> lines() {
   const Camera same{800, 320, 240}, wide{500, 310, 250};
-  return {{"parallel axes: the pixel's own row",
+  return {{"parallel axes, where the line is the pixel's own row",
            given_essential(parallel_pose()),
            same,
            same,
            {100, 77}},
           {"converging axes", given_essential(converging_pose()), same, same, {500, 100}},
-          {"any two cameras, unlike ones",
+          {"two different cameras in general position",
            given_essential(arbitrary_pose()),
            same,
            wide,
@@ -106,22 +106,22 @@ inline std::vector<LineCase> hidden_lines() {
   const Camera same{800, 320, 240}, long_lens{2400, 960, 540};
   return glassbox::labs::with_varied(
       std::vector<LineCase>{
-          {"a column: the right camera stands above the left one",
+          {"a right camera above the left one, where the line is a column",
            given_essential({not_turned(), {0, -0.5, 0}}),
            same,
            same,
            {100, 77}},
-          {"the epipole itself: there is no line",
+          {"the epipole itself, which has no line",
            given_essential({not_turned(), {0, 0, 2}}),
            same,
            same,
            {320, 240}},
-          {"a row, of a matrix with the other sign",
+          {"a row, from a matrix with the opposite sign",
            given_essential({not_turned(), {-0.5, 0, 0}}),
            same,
            same,
            {100, 77}},
-          {"a long lens to the left",
+          {"a left camera with a long focal length",
            given_essential(arbitrary_pose()),
            long_lens,
            same,
@@ -194,17 +194,17 @@ inline std::vector<MatchesCase> matches() {
   return {seen_by("eight exact matches", arbitrary_pose(), 8, 0, 1),
           seen_by("thirty exact matches of converging cameras", converging_pose(), 30, 0, 2),
           seen_by("thirty matches with noise", arbitrary_pose(), 30, 2e-3, 3),
-          seen_by("twelve with more of it", converging_pose(), 12, 5e-3, 4)};
+          seen_by("twelve matches with more noise", converging_pose(), 12, 5e-3, 4)};
 }
 // BEGIN HIDDEN
 inline std::vector<MatchesCase> hidden_matches() {
   return glassbox::labs::with_varied(
       std::vector<MatchesCase>{
-          seen_by("a camera ahead of the other", {turned_by(20, 1, 0.5, 1), {0.2, 0.1, 0.9}}, 40,
-                  1e-3, 5),
-          seen_by("a quarter turn about the gaze", {turned_by(1, 0, 0, 1), {0.7, 0.2, 0.1}}, 20,
-                  1e-3, 6),
-          seen_by("a hundred matches, much noise", arbitrary_pose(), 100, 1e-2, 7)},
+          seen_by("one camera in front of the other", {turned_by(20, 1, 0.5, 1), {0.2, 0.1, 0.9}},
+                  40, 1e-3, 5),
+          seen_by("a right camera that is turned by 90 degrees about its gaze",
+                  {turned_by(1, 0, 0, 1), {0.7, 0.2, 0.1}}, 20, 1e-3, 6),
+          seen_by("a hundred matches with much noise", arbitrary_pose(), 100, 1e-2, 7)},
       104, 3, [](glassbox::Random& random) {
         const Pose pose = random_pose(random);
         return seen_by("any two cameras", pose, 40, 1e-3, random.bits());
@@ -226,25 +226,26 @@ inline ChoiceCase choice(const std::string& what, const Pose& pose, double sign,
 }
 inline std::vector<ChoiceCase> choices() {
   return {choice("converging cameras", converging_pose(), 1, 10, 11),
-          choice("the same with the other sign of E", converging_pose(), -1, 10, 11),
+          choice("the same cameras with the opposite sign of E", converging_pose(), -1, 10, 11),
           choice("any two cameras", arbitrary_pose(), 1, 10, 12),
-          choice("the right camera stands to the left",
+          choice("a right camera that is to the left of the left one",
                  {turned_by(15, 0, -1, 0.5), {-0.6, 0.1, 0.1}}, -1, 10, 13)};
 }
 // BEGIN HIDDEN
 inline std::vector<ChoiceCase> hidden_choices() {
   std::vector<ChoiceCase> all{
       choice("a quarter turn", {turned_by(1, 0, 0, 1), {0.3, 0.7, -0.2}}, 1, 9, 14),
-      choice("behind the other, E of any size", {turned_by(30, 1, 0, 1), {1, 5, -30}}, -1, 9, 15),
+      choice("one camera behind the other, and an E of any length",
+             {turned_by(30, 1, 0, 1), {1, 5, -30}}, -1, 9, 15),
       choice("one match", arbitrary_pose(), 1, 1, 16)};
   // Translations in many directions: depending on the direction, a wrong pose has the points behind
   // the left camera or behind the right one.
   const std::vector<Vector> directions{{0.1, 0.9, 0.1},  {0.1, -0.9, 0.1}, {0.2, 0.1, -1},
                                        {-0.9, 0.3, 0.2}, {0.1, 0.2, 1},    {0.6, 0.6, -0.5}};
   for (std::size_t i = 0; i < directions.size(); ++i)
-    all.push_back(
-        choice("to all sides", {turned_by(10, 1, -0.5, 0.7), directions[i]}, 1, 9, 20 + i));
-  ChoiceCase wrong = choice("one wrong match of nine", arbitrary_pose(), 1, 9, 17);
+    all.push_back(choice("translations in several directions",
+                         {turned_by(10, 1, -0.5, 0.7), directions[i]}, 1, 9, 20 + i));
+  ChoiceCase wrong = choice("nine matches, of which one is wrong", arbitrary_pose(), 1, 9, 17);
   wrong.matches[0].right.x = wrong.matches[0].right.x + 0.9;
   all.push_back(wrong);
   return glassbox::labs::with_varied(all, 105, 3, [](glassbox::Random& random) {
@@ -273,7 +274,10 @@ inline std::vector<RaysCase> rays() {
            seen_from_right(arbitrary_pose(), point),
            arbitrary_pose()},
           {"lines of sight that do not meet", {0.125, -0.0625}, {0.02, 0.05}, converging_pose()},
-          {"parallel axes, another row", {0.25, 0.125}, {0.125, 0.25}, parallel_pose()},
+          {"parallel axes, and pixels of different rows",
+           {0.25, 0.125},
+           {0.125, 0.25},
+           parallel_pose()},
           {"parallel lines (C-107)", {0.25, 0.125}, {0.25, 0.125}, parallel_pose()},
           {"a point behind both cameras", {0.125, 0}, {0.25, 0}, parallel_pose()}};
 }
@@ -294,16 +298,18 @@ inline std::vector<RaysCase> hidden_rays() {
            {0.1, 0.05},
            {0.12, -0.04},
            {turned_by(0, 0, 1, 0), {0, 0, 9}}},
-          parallel_rays("parallel lines of turned cameras", arbitrary_pose()),
-          parallel_rays("the same, turned further", {turned_by(3, -1, 2, 1), {0.5, 0.5, 0}}),
-          parallel_rays("the same, to the other side", {turned_by(7, 2, -1, -1), {1, 0, 0.5}})},
+          parallel_rays("parallel lines of sight of turned cameras", arbitrary_pose()),
+          parallel_rays("parallel lines of sight of cameras that are turned further",
+                        {turned_by(3, -1, 2, 1), {0.5, 0.5, 0}}),
+          parallel_rays("parallel lines of sight of cameras that are turned to the other side",
+                        {turned_by(7, 2, -1, -1), {1, 0, 0.5}})},
       106, 3, [](glassbox::Random& random) {
         const Pose pose = random_pose(random);
         const double x = random.between(-0.4, 0.4), y = random.between(-0.4, 0.4);
         const double z = random.between(2, 9);
         Pixel right = seen_from_right(pose, {x * z, y * z, z});
         right.y += random.between(-0.01, 0.01);
-        return RaysCase{"any lines of sight", {x, y}, right, pose};
+        return RaysCase{"random lines of sight", {x, y}, right, pose};
       });
 }
 // END HIDDEN

@@ -65,7 +65,7 @@ inline std::vector<SadCase> hidden_squares() {
     const int x = int(random.integer(0, 14)), y = int(random.integer(0, 10));
     many.places.push_back({x, y, int(random.integer(0, 9))});
   }
-  return {{"at the edges, beyond which the last row and column are repeated",
+  return {{"squares at the edges of the picture, beyond which the last row and column are repeated",
            left,
            right,
            2,
@@ -92,10 +92,10 @@ inline std::vector<CensusCase> words() {
   Picture last{5, 5, std::vector<int>(25, 100)};
   last.grey[24] = 99;
   const Picture picture = noise(9, 8, 5);
-  return {{"one darker pixel at the top left", one, {{2, 2}}},
-          {"one at the bottom right", last, {{2, 2}}},
+  return {{"a square with one darker pixel at the top left", one, {{2, 2}}},
+          {"a square with one darker pixel at the bottom right", last, {{2, 2}}},
           {"noise", picture, {{2, 2}, {4, 4}, {6, 5}}},
-          {"the same noise, brighter and with more contrast",
+          {"two pictures of the same noise, the second brighter and with more contrast",
            brighter(picture, 140, 20),
            {{2, 2}, {4, 4}, {6, 5}}}};
 }
@@ -142,7 +142,11 @@ inline PathCase random_path(const std::string& what, int pixels, int disparities
 inline std::vector<PathCase> paths() {
   return {{"one pixel", {5, 1, 7}, 3, 10, 40},
           {"two pixels of three disparities", {0, 50, 90, 30, 30, 30}, 3, 10, 40},
-          {"a jump costs the same for any size", {0, 90, 90, 90, 90, 80, 80, 80, 80, 0}, 5, 10, 40},
+          {"a penalty P2 that is the same for every jump of disparity",
+           {0, 90, 90, 90, 90, 80, 80, 80, 80, 0},
+           5,
+           10,
+           40},
           random_path("six pixels of eight disparities", 6, 8, 15, 60, 1)};
 }
 // BEGIN HIDDEN
@@ -151,7 +155,7 @@ inline std::vector<PathCase> hidden_paths() {
           random_path("one disparity", 5, 1, 10, 40, 3),
           random_path("two disparities", 9, 2, 10, 40, 4),
           random_path("no penalty", 9, 6, 0, 0, 5),
-          random_path("a jump as expensive as a step", 9, 6, 30, 30, 6),
+          random_path("penalties P1 and P2 that are equal", 9, 6, 30, 30, 6),
           {"impossible matches", {kNever, 20, 30, kNever, kNever, 10, 15, kNever, 5}, 3, 10, 40}};
 }
 // END HIDDEN
@@ -163,21 +167,22 @@ struct WinnerCase {
   std::vector<int> costs;
 };
 inline std::vector<WinnerCase> winners() {
-  return {{"in the middle of two equal neighbours", {9, 5, 2, 5, 9}},
-          {"nearer to the neighbour that costs less", {90, 40, 10, 20, 80}},
-          {"the first disparity", {1, 5, 9}},
-          {"the last one", {9, 5, 1}},
+  return {{"a lowest cost between two equal neighbours", {9, 5, 2, 5, 9}},
+          {"a lowest cost between different neighbours", {90, 40, 10, 20, 80}},
+          {"the first disparity has the lowest cost", {1, 5, 9}},
+          {"the last disparity has the lowest cost", {9, 5, 1}},
           {"no match (C-113)", {kNever, kNever}}};
 }
 // BEGIN HIDDEN
 inline std::vector<WinnerCase> hidden_winners() {
   return glassbox::labs::with_varied(
-      std::vector<WinnerCase>{{"two equal costs: the smaller disparity wins", {9, 3, 7, 3, 8}},
-                              {"a blank wall", {4, 4, 4, 4}},
-                              {"beside an impossible match", {7, 3, kNever, kNever}},
-                              {"after an impossible match", {kNever, 3, 7, 9}},
-                              {"one disparity", {6}},
-                              {"costs that need more than a float", {60000, 50001, 50000, 50003}}},
+      std::vector<WinnerCase>{
+          {"two equal costs, of which the smaller disparity wins", {9, 3, 7, 3, 8}},
+          {"a blank wall", {4, 4, 4, 4}},
+          {"a lowest cost beside an impossible match", {7, 3, kNever, kNever}},
+          {"a lowest cost after an impossible match", {kNever, 3, 7, 9}},
+          {"one disparity", {6}},
+          {"costs that need more than a float", {60000, 50001, 50000, 50003}}},
       114, 3, [](glassbox::Random& random) {
         WinnerCase made{"any costs", {}};
         for (int i = 0; i < 20; ++i) made.costs.push_back(int(random.integer(0, 1000)));
@@ -210,7 +215,7 @@ inline std::vector<RowCase> rows() {
 inline std::vector<RowCase> hidden_rows() {
   return {random_row("a row", 40, 12, glassbox::labs::varied_seed(115)),
           random_row("more disparities than pixels", 5, 9, 3),
-          {"equal costs: the smaller disparity wins", {4, kNever, 9, 4, 4, 4}, 3, 2},
+          {"equal costs, of which the smaller disparity wins", {4, kNever, 9, 4, 4, 4}, 3, 2},
           {"a right pixel that no left pixel can match", {kNever, kNever, 3, kNever}, 2, 2}};
 }
 // END HIDDEN
@@ -226,7 +231,10 @@ inline std::vector<CheckCase> pairs_of_rows() {
            {0, 0, 0, 3, 3, 0, 0},
            {3, 0, 0, 0, 0, 0, 0},
            1},
-          {"no match beyond the edge (C-113)", {2, 2, 2, kNone}, {2, 2, 2, 2}, 1},
+          {"a match beyond the edge of the picture, which is invalid (C-113)",
+           {2, 2, 2, kNone},
+           {2, 2, 2, 2},
+           1},
           {"parts of a pixel", {0, 0.5, 1.25, 1.75, 2.5}, {0.5, 1, 1, 2, 2}, 0.75}};
 }
 // BEGIN HIDDEN
@@ -240,7 +248,7 @@ inline std::vector<CheckCase> hidden_pairs_of_rows() {
   return {many,
           {"a difference of exactly the tolerance", {0, 0, 2, 2}, {1, 1, 1, 1}, 1},
           {"no tolerance", {0, 1, 1, 1}, {1, 1, 0.5, 0}, 0},
-          {"halves are rounded to the right", {0, 0.5, 1.5, 0.5}, {9, 0.5, 1.5, 0.5}, 0},
+          {"halves, which are rounded to the right", {0, 0.5, 1.5, 0.5}, {9, 0.5, 1.5, 0.5}, 0},
           {"no disparities in the right picture", {0, 1, 1}, {kNone, kNone, kNone}, 1}};
 }
 // END HIDDEN
@@ -266,7 +274,7 @@ inline std::vector<DepthCase> hidden_depths() {
   const Calibration crossed{500, 0.065, -8};
   return glassbox::labs::with_varied(
       std::vector<DepthCase>{{"diverging rays (C-107)", 7.5, crossed},
-                             {"just in front of them", 8.0009765625, crossed},
+                             {"just in front of the cameras", 8.0009765625, crossed},
                              {"a negative disparity before an offset", -3, {800, 0.1, 5}},
                              {"rays that are parallel by the offset", 8, crossed}},
       117, 3, [](glassbox::Random& random) {

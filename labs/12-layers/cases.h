@@ -59,7 +59,8 @@ inline std::vector<PackCase> packs() {
       {"two pictures' samples of the same surfaces", 2, 1,
        numbered({{0, 0, 0.5f, {}}, {0, 0, 0.2f, {}}, {0, 0, 0.501f, {}}, {0, 0, 0.1999f, {}}}),
        1.0 / 64},
-      {"a chain: each sample is near only to the next one (C-84)", 2, 1, numbered(mixed), 1.0 / 64},
+      {"a chain of samples, each of which is near only to the next one (C-84)", 2, 1,
+       numbered(mixed), 1.0 / 64},
       {"equal depths", 1, 1, numbered({{0, 0, 0.5f, {}}, {0, 0, 0.25f, {}}, {0, 0, 0.5f, {}}}), 0},
   };
 }
@@ -77,9 +78,11 @@ inline std::vector<PackCase> hidden_packs() {
   return glassbox::labs::with_varied(
       std::vector<PackCase>{
           {"300 samples in one pixel (C-85)", 2, 2, numbered(chain(0, 1, 300, 1.0 / 64)), 0},
-          {"exactly as far apart as epsilon", 1, 1,
+          {"samples exactly epsilon apart", 1, 1,
            numbered({{0, 0, 0.5f, {}}, {0, 0, 0.375f, {}}, {0, 0, 0.3749f, {}}}), 0.25},
-          {"near samples stay separate where far ones are merged", 2, 1,
+          {"near samples that stay separate, and far ones at the same distance from each other "
+           "that are merged",
+           2, 1,
            numbered({{0, 0, 0.9f, {}}, {0, 0, 0.88f, {}}, {0, 0, 0.010f, {}}, {0, 0, 0.0099f, {}}}),
            1.0 / 64},
           random_pack(random),
@@ -122,9 +125,9 @@ inline std::vector<MatrixCase> matrices() {
   return {
       {"an eye to the right", camera(320, 320, 240, 0.5, 0, 0, 0),
        camera(320, 320, 240, 0.5, 0.25, 0, 0)},
-      {"an eye ahead, with a longer lens", camera(320, 320, 240, 0.5, 0, 0, 0),
+      {"an eye farther forward, with a longer focal length", camera(320, 320, 240, 0.5, 0, 0, 0),
        camera(640, 320, 240, 0.5, 0, 0, -1)},
-      {"a near plane of a millimetre (C-37)", camera(500, 640, 480, 0.001, 3, 1, 2, 0.25),
+      {"a near plane at a millimetre (C-37)", camera(500, 640, 480, 0.001, 3, 1, 2, 0.25),
        camera(500, 640, 480, 0.001, 3.4, 1.1, 1.75, 0.125)},
   };
 }
@@ -179,13 +182,14 @@ inline std::vector<std::vector<float>> some_depths(int width, int most, std::uin
   return depths;
 }
 inline std::vector<RowCase> rows() {
-  return {{"four pixels, a sample each", row_matrix(64), 5, {{0.5f}, {0.25f}, {0.75f}, {0.125f}}},
-          {"empty pixels, and several samples in one",
-           row_matrix(64),
-           0,
-           {{}, {0.25f, 0.5f, 0.75f}, {}, {}, {0.125f, 1.0f}}},
-          {"a row of 300 px", row_matrix(320), 117, some_depths(300, 2, 1231)},
-          {"a row of 8192 px (C-80)", row_matrix(8192), 33, some_depths(8192, 1, 1232)}};
+  return {
+      {"four pixels with one sample each", row_matrix(64), 5, {{0.5f}, {0.25f}, {0.75f}, {0.125f}}},
+      {"empty pixels, and a pixel with several samples",
+       row_matrix(64),
+       0,
+       {{}, {0.25f, 0.5f, 0.75f}, {}, {}, {0.125f, 1.0f}}},
+      {"a row of 300 px", row_matrix(320), 117, some_depths(300, 2, 1231)},
+      {"a row of 8192 px (C-80)", row_matrix(8192), 33, some_depths(8192, 1, 1232)}};
 }
 // BEGIN HIDDEN
 inline std::vector<RowCase> hidden_rows() {
@@ -203,22 +207,24 @@ struct SizeCase {
   double focal_ratio, w, cosine_first, cosine_second;
 };
 inline std::vector<SizeCase> sizes() {
-  return {{"the same from both eyes", 1, 1, 0.7, 0.7},
-          {"from a quarter of the distance (C-81)", 1, 0.25, 1, 1},
-          {"with three times the focal length (C-81)", 3, 1, 1, 1},
-          {"seen at 60 degrees, then straight on", 1, 0.5, 0.5, 1},
-          {"smaller than a pixel", 1, 5, 1, 1},
-          {"very near the eye (C-86)", 1, 0.001, 1, 1}};
+  return {
+      {"a sample at the same distance from both eyes", 1, 1, 0.7, 0.7},
+      {"a sample seen from a quarter of the distance (C-81)", 1, 0.25, 1, 1},
+      {"a sample seen with three times the focal length (C-81)", 3, 1, 1, 1},
+      {"a sample that the first eye sees at 60 degrees and the second straight on", 1, 0.5, 0.5, 1},
+      {"smaller than a pixel", 1, 5, 1, 1},
+      {"a sample very near the eye (C-86)", 1, 0.001, 1, 1}};
 }
 // BEGIN HIDDEN
 inline std::vector<SizeCase> hidden_sizes() {
   return glassbox::labs::with_varied(
-      std::vector<SizeCase>{{"turned away from the second eye", 2, 0.5, 0.9, 0.3},
-                            {"exactly 64 px", 1, 1.0 / 64, 1, 1},
-                            {"seen at its very edge (C-86)", 1, 1, 0, 0.5},
-                            {"at its very edge by both", 1, 1, 0, 0},
-                            {"a shorter lens from nearer", 0.4, 0.1, 0.8, 0.9},
-                            {"nearly at its edge (C-86)", 1, 0.5, 1e-9, 1}},
+      std::vector<SizeCase>{
+          {"a sample whose surface faces away from the second eye", 2, 0.5, 0.9, 0.3},
+          {"exactly 64 px", 1, 1.0 / 64, 1, 1},
+          {"a surface that the first eye sees edge-on (C-86)", 1, 1, 0, 0.5},
+          {"a surface that both eyes see edge-on", 1, 1, 0, 0},
+          {"a shorter focal length, from nearer", 0.4, 0.1, 0.8, 0.9},
+          {"a surface that is seen nearly edge-on (C-86)", 1, 0.5, 1e-9, 1}},
       125, 3, [](glassbox::Random& random) {
         const double ratio = random.between(0.5, 3), w = random.between(0.1, 2);
         const double first = random.between(0.1, 1);
@@ -235,22 +241,24 @@ struct OrderCase {
   int count;
 };
 inline std::vector<OrderCase> orders() {
-  return {{"the other eye is ahead, in the picture", 2.7, 1, 6},
-          {"ahead, beside the picture on the right", 90, 1, 5},
-          {"behind, on a line through the picture (C-82)", -2.25, -0.75, 6},
-          {"to the right, infinitely far in the picture (C-82)", 4, 0, 5},
-          {"to the left", -4, 0, 5}};
+  return {
+      {"the other eye is in front, inside the picture", 2.7, 1, 6},
+      {"the other eye is in front, outside the picture on the right", 90, 1, 5},
+      {"the other eye is behind, on a line through the picture (C-82)", -2.25, -0.75, 6},
+      {"the other eye is to the right, where the epipole is infinitely far away (C-82)", 4, 0, 5},
+      {"the other eye is to the left, where the epipole is infinitely far away", -4, 0, 5}};
 }
 // BEGIN HIDDEN
 inline std::vector<OrderCase> hidden_orders() {
   return glassbox::labs::with_varied(
-      std::vector<OrderCase>{{"ahead, beside the picture on the left", -7, 0.5, 6},
-                             {"behind, beside the picture on the right", -40, -2, 7},
-                             {"behind, beside the picture on the left", 3, -1, 4},
-                             {"exactly on a pixel's middle, ahead", 2.5, 1, 6},
-                             {"exactly on a pixel's middle, behind", -5, -2, 6},
-                             {"at a multiple of its place: w is 3", 9.9, 3, 8},
-                             {"one column", 5, 1, 1}},
+      std::vector<OrderCase>{
+          {"the other eye is in front, outside the picture on the left", -7, 0.5, 6},
+          {"the other eye is behind, outside the picture on the right", -40, -2, 7},
+          {"the other eye is behind, outside the picture on the left", 3, -1, 4},
+          {"the epipole is exactly on a pixel's centre, with the other eye in front", 2.5, 1, 6},
+          {"the epipole is exactly on a pixel's centre, with the other eye behind", -5, -2, 6},
+          {"the epipole is given with w = 3", 9.9, 3, 8},
+          {"one column", 5, 1, 1}},
       126, 3, [](glassbox::Random& random) {
         const double w = random.between(-2, 2);
         return OrderCase{"any", w * random.between(-5, 25), w, 20};
@@ -272,21 +280,22 @@ inline Canvas canvas_of(Hiding hiding, std::vector<Placed> samples, int width = 
 }
 inline std::vector<DrawCase> pictures() {
   return {
-      {"one pixel, and one of three by three",
+      {"a sample of one pixel, and one of 3 x 3 pixels",
        canvas_of(Hiding::kNearest,
                  {placed(1.25, 4.5, 0.5, 1, 1, 1), placed(5.75, 2.25, 0.5, 2, 3, 2)})},
-      {"the nearer hides the farther",
+      {"a near sample that hides a far one",
        canvas_of(Hiding::kNearest,
                  {placed(3.25, 3.25, 0.5, 1, 3, 1), placed(4.25, 3.25, 0.25, 1, 3, 2),
                   placed(2.25, 2.25, 0.75, 1, 3, 3)})},
       {"the last stays", canvas_of(Hiding::kLast, {placed(3.25, 3.25, 0.5, 1, 3, 1),
                                                    placed(4.25, 3.25, 0.25, 1, 3, 2)})},
-      {"behind the eye, and nearer than the near plane (C-83)",
+      {"samples behind the eye, and nearer than the near plane (C-83)",
        canvas_of(Hiding::kLast,
                  {placed(3.25, 3.25, 0.5, -1, 3, 1), placed(2.25, 3.25, 1.5, 1, 3, 2),
                   placed(5.25, 3.25, 0.5, 1, 1, 3)})},
-      {"half beside the picture", canvas_of(Hiding::kNearest, {placed(-0.25, 0.25, 0.5, 1, 4, 1),
-                                                               placed(7.75, 5.75, 0.5, 1, 4, 2)})},
+      {"a sample half outside the picture",
+       canvas_of(Hiding::kNearest,
+                 {placed(-0.25, 0.25, 0.5, 1, 4, 1), placed(7.75, 5.75, 0.5, 1, 4, 2)})},
   };
 }
 // BEGIN HIDDEN
@@ -314,9 +323,11 @@ inline std::vector<DrawCase> hidden_pictures() {
   return {
       {"equally near samples", canvas_of(Hiding::kNearest, {placed(3.25, 3.25, 0.5, 1, 3, 1),
                                                             placed(4.25, 3.25, 0.5, 2, 3, 2)})},
-      {"edges exactly on pixel centres: the right and the lower edge belong to the square",
+      {"squares with edges exactly on pixel centres, of which the right and the lower edge belong "
+       "to the square",
        canvas_of(Hiding::kNearest, {placed(3, 3, 0.5, 1, 1, 1), placed(5.5, 2.5, 0.5, 1, 2, 2)})},
-      {"exactly on the near plane", canvas_of(Hiding::kNearest, {placed(3.25, 3.25, 1, 1, 3, 1)})},
+      {"a sample exactly on the near plane",
+       canvas_of(Hiding::kNearest, {placed(3.25, 3.25, 1, 1, 3, 1)})},
       {"w = 0, and the largest distance of a float (C-83)", far},
       {"sides that are no whole numbers",
        canvas_of(Hiding::kLast,

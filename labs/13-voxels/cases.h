@@ -23,9 +23,9 @@ struct OrderCase {
   Box box{{-1, -1, -1}, {1, 1, 1}};
 };
 inline std::vector<OrderCase> orders() {
-  return {{"one camera beyond a corner", {{3, -4, 5}}},
-          {"two on a circle above", {{3, 4, 0}, {-3, 4, 0.5}}},
-          {"one beside an edge", {{3, 4, 0}}},
+  return {{"one camera, diagonally beyond a corner of the box", {{3, -4, 5}}},
+          {"two cameras on a circle above the box", {{3, 4, 0}, {-3, 4, 0.5}}},
+          {"one camera beside an edge of the box", {{3, 4, 0}}},
           {"four around (C-90)", {{4, 0, 0}, {0, 0, 4}, {-4, 0, 0}, {0, 0, -4}}},
           {"two inside", {{0.5, 0, 0}, {-0.5, 0.25, 0}}}};
 }
@@ -34,14 +34,16 @@ inline std::vector<OrderCase> hidden_orders() {
   return glassbox::labs::with_varied(
       std::vector<OrderCase>{
           {"exactly on a face", {{1, 0, 0}}},
-          {"exactly above a face, beside it along another axis", {{1, 3, 0}, {1, 2, 0}}},
-          {"one inside, one outside", {{0, 0, 0}, {3, 0, 0}}},
-          {"on both sides along one axis, below along the others", {{-3, -2, -2}, {3, -2, -5}}},
-          {"another box, along which two are above",
+          {"two cameras above a face, exactly in the plane of another face",
+           {{1, 3, 0}, {1, 2, 0}}},
+          {"one camera inside the box, one outside", {{0, 0, 0}, {3, 0, 0}}},
+          {"cameras on both sides along one axis, and below the box along the others",
+           {{-3, -2, -2}, {3, -2, -5}}},
+          {"another box, for which the cameras are above along two axes",
            {{9, 5, 0}, {8, 6, 2}},
            {{2, 1, -1}, {7, 4, 3}}},
-          {"an embedded one on a corner", {{-1, -1, -1}, {0, 0, 0}}},
-          {"the second camera decides", {{0, 5, 0}, {0, 0, 0}}}},
+          {"one camera exactly on a corner of the box, one inside it", {{-1, -1, -1}, {0, 0, 0}}},
+          {"one camera above the box, one inside it", {{0, 5, 0}, {0, 0, 0}}}},
       131, 4, [](glassbox::Random& random) {
         OrderCase made{"any", {}};
         const Place middle{random.between(-3, 3), random.between(-3, 3), random.between(-3, 3)};
@@ -62,7 +64,7 @@ struct ColoursCase {
 };
 inline std::vector<ColoursCase> colours() {
   return {{"two colours", {{10, 20, 30}, {14, 20, 38}}},
-          {"five of one colour", std::vector<Colour>(5, {90, 100, 110})},
+          {"five equal colours", std::vector<Colour>(5, {90, 100, 110})},
           {"three", {{0, 255, 0}, {255, 0, 0}, {0, 0, 255}}},
           {"one alone (C-89)", {{12, 200, 7}}}};
 }
@@ -82,7 +84,7 @@ inline std::vector<ColoursCase> hidden_colours() {
       std::vector<ColoursCase>{
           {"none at all (C-87)", {}},
           {"channels that have different means", {{0, 100, 200}, {4, 104, 204}}},
-          {"one that is far from the others",
+          {"one colour that is far from the others",
            {{10, 10, 10}, {10, 10, 10}, {10, 10, 10}, {250, 10, 10}}},
           bright_colours(random)},
       133, 2, bright_colours);
@@ -112,11 +114,11 @@ inline std::vector<JudgeCase> judged() {
       {"one picture shows background", {{grey(100)}, {background()}, {grey(100)}}},
       {"one picture alone (C-89)", {{grey(100)}, {hidden_grey(100)}}},
       {"no picture sees it", {{hidden_grey(100)}, {hidden_grey(30)}, {}}},
-      {"hidden pixels are ignored", {{grey(100)}, {hidden_grey(250)}, {grey(103)}}},
-      {"a checker as fine as the voxels, adaptive (C-94)",
+      {"hidden pixels, which are ignored", {{grey(100)}, {hidden_grey(250)}, {grey(103)}}},
+      {"a checker board as fine as the voxels, with the adaptive threshold (C-94)",
        {{grey(0), grey(255)}, {grey(255), grey(0)}},
        {1, 10}},
-      {"the same with a fixed threshold (C-94)",
+      {"a checker board as fine as the voxels, with a fixed threshold (C-94)",
        {{grey(0), grey(255)}, {grey(255), grey(0)}},
        {0, 60}},
   };
@@ -141,14 +143,15 @@ inline std::vector<JudgeCase> hidden_judged() {
           {"an infinite threshold (C-88)", {{grey(0)}, {grey(255)}}, {0, INFINITY}},
           {"background in a part of a footprint", {{grey(50), background()}, {grey(52)}}},
           {"background in one picture, hidden in the other", {{hidden_grey(50)}, {background()}}},
-          {"hidden pixels of a footprint with background",
+          {"a footprint with hidden pixels and background",
            {{hidden_grey(9), background()}, {grey(3)}}},
-          {"all pictures beside it", {{}, {}, {}}},
+          {"a voxel outside all pictures", {{}, {}, {}}},
           {"two pixels of one picture", {{grey(100), grey(101)}, {hidden_grey(9)}, {}}},
-          {"M is a mean over pictures and not over pixels",
+          {"pictures with different numbers of pixels: M is the mean over pictures, not over "
+           "pixels",
            {{grey(0), grey(60)}, {grey(30)}, {grey(30)}, {grey(30)}},
            {1, 10}},
-          {"a picture that does not see it has no deviation",
+          {"a picture that does not see the voxel, and so has no deviation",
            {{grey(0), grey(60)}, {grey(30), grey(30)}, {hidden_grey(1), hidden_grey(99)}},
            {1, 8}},
           {"exactly T", {{grey(0)}, {grey(0)}, {{{3, 0, 0}, false, false}}}, {0, 1}}},
@@ -172,7 +175,7 @@ inline Projection along_z(double focal, double cu, double cv, double depth) {
 inline std::vector<FootprintCase> footprints() {
   return {{"larger than pixels", along_z(48, 3.1, 2.2, 12.3), {1, 1, 0}},
           {"a voxel of half a pixel (C-87)", along_z(8, 3.7, 2.3, 16.3), {9, 7, 1}},
-          {"half beside the picture", along_z(48, -1.3, 2.2, 12.3), {0, 0, 0}},
+          {"a voxel half outside the picture", along_z(48, -1.3, 2.2, 12.3), {0, 0, 0}},
           {"behind the camera", along_z(4.1, 9, 7, -4.5), {1, 1, 0}}};
 }
 // BEGIN HIDDEN
@@ -195,16 +198,18 @@ inline std::vector<FootprintCase> hidden_footprints() {
   glassbox::Random random = glassbox::labs::varied(135);
   std::vector<FootprintCase> all{
       {"a tenth of a pixel (C-87)", along_z(1.7, 3.4, 2.4, 17.2), {20, 20, 0}},
-      {"wholly beside the picture", along_z(48, -60.3, 2.2, 12.3), {0, 0, 0}},
-      {"one corner is behind the camera, the middle is not",
+      {"a voxel completely outside the picture", along_z(48, -60.3, 2.2, 12.3), {0, 0, 0}},
+      {"a voxel with a corner behind the camera and its centre in front of it",
        along_z(2, 3.1, 2.2, -0.25),
        {0, 0, 0}},
-      {"middles exactly on the border", along_z(16, 0.5, 0.5, 8), {0, 1, 8}},
-      {"its middle and its corner are in different pixels",
+      {"voxel centres exactly on the border of the picture", along_z(16, 0.5, 0.5, 8), {0, 1, 8}},
+      {"a voxel whose centre and corner are in different pixels",
        along_z(1.7, 3.03, 2.4, 17.2),
        {20, 20, 0}},
-      {"its own pixel is not in the rectangle", along_z(4.5, 2.35, 2.35, 9.5), {3, 3, 0}},
-      {"so far away that it is a millionth of a pixel",
+      {"a voxel whose rectangle does not contain the pixel of its centre",
+       along_z(4.5, 2.35, 2.35, 9.5),
+       {3, 3, 0}},
+      {"a voxel so far away that it is a millionth of a pixel wide",
        along_z(3, 4.4, 4.4, 3000000.1),
        {7, 7, 0}}};
   for (int i = 0; i < 12; ++i) all.push_back(random_footprint(random));

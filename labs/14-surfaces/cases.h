@@ -23,11 +23,11 @@ struct CellCase {
 
 inline std::vector<CellCase> cells() {
   return {{"one corner", 1},
-          {"an edge's two corners", 0b00000011},
+          {"the two corners of an edge", 0b00000011},
           {"the lower half", 0b00001111},
-          {"all but one corner", 255 - 16},
-          {"two corners across a face (C-95)", 0b00001001},
-          {"all but two across a face (C-95)", 255 - 0b00001001},
+          {"all corners except one", 255 - 16},
+          {"two opposite corners of a face (C-95)", 0b00001001},
+          {"all corners except two opposite ones of a face (C-95)", 255 - 0b00001001},
           {"opposite corners of the cell", 0b10000001}};
 }
 // BEGIN HIDDEN
@@ -54,11 +54,11 @@ struct EdgeCase {
 
 inline std::vector<EdgeCase> edges() {
   return {{"half way", -1, 1, 0},
-          {"a third from the inside end", 2, -4, 0},
+          {"a crossing a third of the edge away from the inside end", 2, -4, 0},
           {"another level", 1, 5, 2},
-          {"the outside end nearly at the level", -0.0001, 1, 0},
-          {"the inside end at the level (C-96)", 0, -3, 0},
-          {"the border of the lattice", -INFINITY, 1, 0}};
+          {"an outside end nearly at the level", -0.0001, 1, 0},
+          {"an inside end exactly at the level (C-96)", 0, -3, 0},
+          {"an edge at the border of the lattice", -INFINITY, 1, 0}};
 }
 // BEGIN HIDDEN
 inline EdgeCase random_edge(glassbox::Random& random) {
@@ -70,8 +70,8 @@ inline EdgeCase random_edge(glassbox::Random& random) {
 inline std::vector<EdgeCase> hidden_edges() {
   glassbox::Random random = glassbox::labs::varied(141);
   std::vector<EdgeCase> all{
-      {"the inside end at the level, second (C-96)", -7, 3, 3},
-      {"the border, second", 4, -INFINITY, 1},
+      {"the second end is inside and exactly at the level (C-96)", -7, 3, 3},
+      {"an edge whose second end is outside the lattice", 4, -INFINITY, 1},
       {"large values", 0x1p60, -0x1p58, 0x1p40},
       {"one value above the level by one rounding step", 1 + 0x1p-52, 0.5, 1}};
   for (int i = 0; i < 6; ++i) all.push_back(random_edge(random));
@@ -94,18 +94,19 @@ struct EditCase {
 };
 
 inline std::vector<EditCase> edits() {
-  return {
-      {"one polygon", 3, {{true, 5, {{0, 2.0}, {2, 3.0}}}}},
-      {"the second before the first", 2, {{true, 1, {{0, 4.0}, {1, 4.0}}}, {true, 2, {{0, 3.0}}}}},
-      {"the polygon in front is removed",
-       1,
-       {{true, 1, {{0, 4.0}}}, {true, 2, {{0, 3.0}}}, {false, 2, {{0, 3.0}}}}},
-      {"the polygon behind is removed (C-97)",
-       1,
-       {{true, 1, {{0, 4.0}}}, {true, 2, {{0, 3.0}}}, {false, 1, {{0, 4.0}}}}},
-      {"equally near polygons",
-       1,
-       {{true, 7, {{0, 2.0}}}, {true, 3, {{0, 2.0}}}, {true, 5, {{0, 2.0}}}}}};
+  return {{"one polygon", 3, {{true, 5, {{0, 2.0}, {2, 3.0}}}}},
+          {"the second polygon is nearer than the first",
+           2,
+           {{true, 1, {{0, 4.0}, {1, 4.0}}}, {true, 2, {{0, 3.0}}}}},
+          {"the polygon in front is removed",
+           1,
+           {{true, 1, {{0, 4.0}}}, {true, 2, {{0, 3.0}}}, {false, 2, {{0, 3.0}}}}},
+          {"the polygon behind is removed (C-97)",
+           1,
+           {{true, 1, {{0, 4.0}}}, {true, 2, {{0, 3.0}}}, {false, 1, {{0, 4.0}}}}},
+          {"equally near polygons",
+           1,
+           {{true, 7, {{0, 2.0}}}, {true, 3, {{0, 2.0}}}, {true, 5, {{0, 2.0}}}}}};
 }
 // BEGIN HIDDEN
 inline EditCase random_edits(glassbox::Random& random) {
@@ -162,19 +163,20 @@ inline std::array<Vector, 3> three_views() {
 }
 
 inline std::vector<ViewCase> views_around() {
-  return {{"at the first view", along(0, 0, 1, 1), three_views()},
-          {"in the middle of the triangle", along(1, 1, 4.24264068711928515, 4.47213595499957939),
-           three_views()},
-          {"on a side", along(3, 0, 9, 9.48683298050513768), three_views()},
-          {"one of three does not see it",
+  return {{"the eye's direction is that of the first view", along(0, 0, 1, 1), three_views()},
+          {"the eye's direction is in the middle of the triangle of views",
+           along(1, 1, 4.24264068711928515, 4.47213595499957939), three_views()},
+          {"the eye's direction is on a side of the triangle of views",
+           along(3, 0, 9, 9.48683298050513768), three_views()},
+          {"three views, of which one does not see the polygon",
            along(1, 2, 9, 9.2736184954957037),
            three_views(),
            {true, false, true}},
-          {"at a view that does not see it (C-98)",
+          {"the eye's direction is that of a view that does not see the polygon (C-98)",
            along(3, 0, 4, 5),
            three_views(),
            {true, false, true}},
-          {"no view sees it (C-98)",
+          {"no view sees the polygon (C-98)",
            along(1, 2, 9, 9.2736184954957037),
            three_views(),
            {false, false, false}}};
@@ -212,23 +214,24 @@ inline ViewCase random_views(glassbox::Random& random) {
 }
 inline std::vector<ViewCase> hidden_views_around() {
   glassbox::Random random = glassbox::labs::varied(145);
-  std::vector<ViewCase> all{{"clockwise views",
-                             along(1, 2, 9, 9.2736184954957037),
-                             {three_views()[0], three_views()[2], three_views()[1]}},
-                            {"beside the triangle", along(-3, 0, 4, 5), three_views()},
-                            {"beside the triangle, and the nearest view does not see the polygon",
-                             along(-3, 0, 4, 5),
-                             three_views(),
-                             {false, true, true}},
-                            {"behind all of them", along(0, 0, -1, 1), three_views()},
-                            {"equally near views without a weight",
-                             along(-1, -1, 4.24264068711928515, 4.47213595499957939),
-                             three_views(),
-                             {false, true, true}},
-                            {"only the last view sees it",
-                             along(1, 2, 9, 9.2736184954957037),
-                             three_views(),
-                             {false, false, true}}};
+  std::vector<ViewCase> all{
+      {"clockwise views",
+       along(1, 2, 9, 9.2736184954957037),
+       {three_views()[0], three_views()[2], three_views()[1]}},
+      {"the eye's direction is beside the triangle of views", along(-3, 0, 4, 5), three_views()},
+      {"the eye's direction is beside the triangle, and the nearest view does not see the polygon",
+       along(-3, 0, 4, 5),
+       three_views(),
+       {false, true, true}},
+      {"the eye's direction is opposite to all views", along(0, 0, -1, 1), three_views()},
+      {"equally near views without a weight",
+       along(-1, -1, 4.24264068711928515, 4.47213595499957939),
+       three_views(),
+       {false, true, true}},
+      {"only the last view sees the polygon",
+       along(1, 2, 9, 9.2736184954957037),
+       three_views(),
+       {false, false, true}}};
   for (int i = 0; i < 8; ++i) all.push_back(random_views(random));
   return glassbox::labs::with_varied(std::move(all), 146, 4, random_views);
 }
@@ -300,10 +303,11 @@ inline BandCase random_bands(glassbox::Random& random) {
 inline std::vector<BandCase> hidden_bands() {
   glassbox::Random random = glassbox::labs::varied(147);
   return glassbox::labs::with_varied(
-      std::vector<BandCase>{random_bands(random),
-                            {"values of a million", mixed_bands(random, 40, 4, 2, 1e6), 2},
-                            {"all components", mixed_bands(random, 30, 5, 5, 3), 5},
-                            {"one band of seven", mixed_bands(random, 50, 7, 1, -20), 1}},
+      std::vector<BandCase>{
+          random_bands(random),
+          {"values of a million", mixed_bands(random, 40, 4, 2, 1e6), 2},
+          {"all components", mixed_bands(random, 30, 5, 5, 3), 5},
+          {"seven bands, of which one component is kept", mixed_bands(random, 50, 7, 1, -20), 1}},
       148, 2, random_bands);
 }
 // END HIDDEN

@@ -211,10 +211,12 @@ std::vector<Configuration> configurations(Effort effort) {
            .items = double(kTimedPolygons) * kRounds});
     };
     for (const double bend : {1e-4, 1e-3, 1e-2, 1e-1})
-      add("second corner bent by the axis' value, heights off by 1e-4", noisy_case, bend,
-          series.noisy(bend));
+      add("octagon whose second corner is bent by the value of the axis, heights wrong by up to "
+          "1e-4",
+          noisy_case, bend, series.noisy(bend));
     for (const double offset : {1.0, 1e2, 1e4, 1e6})
-      add("flat, the axis' value away from the origin", far_case, offset, series.far(offset));
+      add("flat octagon, as far from the origin as the value of the axis", far_case, offset,
+          series.far(offset));
   }
   return all;
 }

@@ -31,7 +31,7 @@ Outcome measure_error(Lens lens) {
        {std::pair{0.0, 1.0}, {-1.0, 1.0}, {1.0, 1.0}, {2.0, 1.0}, {1.0, -1.0}}) {
     accepted += bool(lens(n, f));
   }
-  if (accepted > 0) worst.add(HUGE_VAL, 0, "near and far planes in the wrong order were accepted");
+  if (accepted > 0) worst.add(HUGE_VAL, 0, "impossible near and far planes were accepted");
   return worst.outcome(fmt::format("{} of 5 impossible pairs of planes were accepted", accepted));
 }
 

@@ -76,8 +76,8 @@ Outcome measure_error(const Weights& weights) {
       error = std::max(error, std::abs(sum - (by_anybody ? 1 : 0)));
       if (std::isnan(sum)) error = sum;
       worst.add(error, kBound,
-                fmt::format("the weights add up to {:.6g} although {} of {} views see the polygon",
-                            sum, std::ranges::count(seen, true), seen.size()));
+                fmt::format("the weights add up to {:.6g} if {} of {} views see the polygon", sum,
+                            std::ranges::count(seen, true), seen.size()));
     }
   }
   return worst.outcome();

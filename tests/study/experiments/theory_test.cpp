@@ -278,7 +278,8 @@ TEST_CASE("one matrix multiplies the depth's error by z/n where two do not (D-7)
 }
 
 TEST_CASE("noise over bend at one corner, noise alone for Newell (D-8, C-21)") {
-  const char* scene = "second corner bent by the axis' value, heights off by 1e-4";
+  const char* scene =
+      "octagon whose second corner is bent by the value of the axis, heights wrong by up to 1e-4";
   // For angles below 0.13 radians the arctangent equals its argument to 1 %; 500 polygons scatter
   // by 3 %.
   const auto cross = fit_power_law(
