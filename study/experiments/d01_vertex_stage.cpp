@@ -202,8 +202,8 @@ double predict_depth_composed(double near) {
 std::optional<Finding> few_depths(double near) {
   if (near / kVertexSceneDistance > 8 * 0x1p-24) return std::nullopt;
   return Finding{
-      "within n/z = 4 u of 1 there are only four depths: the entry of the matrix is 1, its product "
-      "is exact, and the quotient of two neighbouring floats is one of the four",
+      "depth is so close to 1 (n/z = 4 u) that only four floats are left; the matrix entry is 1, "
+      "so its product is exact, and the quotient is one of the four",
       0.25, 0.5};
 }
 
@@ -269,10 +269,12 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   add_series<FloatStages>(all, {"float", predict_float, predict_depth_float}, effort);
   add_series<CameraRelative>(
-      all, {"float, relative to the camera", predict_relative, predict_depth_relative}, effort);
-  add_series<ComposedOnce>(
-      all, {"composed in double, then float", predict_composed, predict_depth_composed<float>},
+      all, {"float, coordinates relative to the camera", predict_relative, predict_depth_relative},
       effort);
+  add_series<ComposedOnce>(all,
+                           {"matrices composed in double, vertices in float", predict_composed,
+                            predict_depth_composed<float>},
+                           effort);
   add_series<DoubleStages>(all, {"double", predict_double, predict_depth_composed<double>}, effort);
   add_series<Fixed32>(all, {"32.32 fixed point", predict_fixed, nullptr}, effort);
   return all;
@@ -282,37 +284,39 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d01_vertex_stage() {
   using namespace d01;
-  return {.id = "D-1",
-          .name = "Vertices: the numbers that carry them to the screen",
-          .question =
-              "How far from the origin may a scene be before its vertices tremble, and what do the "
-              "remedies cost?",
-          .axis = "distance of camera and object from the origin",
-          .axis_unit = "units; the object has a radius of 1",
-          .error = "root mean square distance from the right place on the screen",
-          .error_unit = "px",
-          .reference = "50 digits, for the same rotations and positions",
-          .theory =
-              "rounding errors count as random, 0.42 u each (u = 2^-24 or 2^-53). Float: 0.63 u D "
-              "sqrt(2) F/z px for the distance D from the origin, the focal length F in px and the "
-              "distance z from the camera, at most the picture's diagonal. Composed in double: "
-              "0.62 u D in the same formula. Relative to the camera, and in fixed point after the "
-              "eye is subtracted: independent of D. The last rounding of a float in px adds "
-              "2.5e-5. The largest of n errors is sqrt(ln n) times as large. The near and the far "
-              "plane are in none of the rows that give x, y and w. Depth is within n/z of 1, where "
-              "n is the near plane: there a rounding error of 1 is worth z^2/n along the gaze, and "
-              "rounding errors of z and w, if they come from one matrix, z/n each",
-          .item = "vertex",
-          .measures = {{kLargest, "largest distance from the right place on the screen", "px"},
-                       {kPlanes,
-                        "root mean square distance from the right place on the screen, at "
-                        "1 unit from the origin",
-                        "px", "far plane, at 100 units, over near plane"},
-                       {kDepth,
-                        "root mean square error of the depth as a distance along the gaze, "
-                        "at 1 unit from the origin and 4 from the camera",
-                        "units", "far plane, at 100 units, over near plane"}},
-          .configurations = configurations};
+  return {
+      .id = "D-1",
+      .name = "Vertices: which number format transforms them to the screen",
+      .question =
+          "How far from the origin may a scene be before its vertices visibly jump, and what do "
+          "the remedies cost?",
+      .axis = "distance of camera and object from the origin",
+      .axis_unit = "units; the object has a radius of 1",
+      .error = "root mean square distance from the right place on the screen",
+      .error_unit = "px",
+      .reference = "50 digits, for the same rotations and positions",
+      .theory =
+          "Each rounding error counts as random with the standard deviation 0.42 u (u = 2^-24 or "
+          "2^-53). Float has an error of 0.63 u D sqrt(2) F/z px for the distance D from the "
+          "origin, the focal length F in px and the distance z from the camera, and at most the "
+          "picture's diagonal. Matrices composed in double have 0.62 u D in the same formula. "
+          "Coordinates relative to the camera, and fixed point after the eye is subtracted, have "
+          "an error that does not depend on D. The last rounding of a float in px adds 2.5e-5. The "
+          "largest of n errors is sqrt(ln n) times as large. The near and the far plane are in "
+          "none of the rows that give x, y and w. Depth is within n/z of 1, where n is the near "
+          "plane: a rounding error of depth there is z^2/n times as large along the gaze, and "
+          "rounding errors of z and w, if they come from one matrix, z/n times each",
+      .item = "vertex",
+      .measures = {{kLargest, "largest distance from the right place on the screen", "px"},
+                   {kPlanes,
+                    "root mean square distance from the right place on the screen, at "
+                    "1 unit from the origin",
+                    "px", "far plane, at 100 units, over near plane"},
+                   {kDepth,
+                    "root mean square error of the depth as a distance along the gaze, "
+                    "at 1 unit from the origin and 4 from the camera",
+                    "units", "far plane, at 100 units, over near plane"}},
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

@@ -311,13 +311,13 @@ Experiment d02_subpixel_bits() {
       .id = "D-2",
       .name = "Snapping: how many subpixel bits",
       .question =
-          "How many pixels change hands because vertices are rounded to a grid, and what does "
-          "a finer grid cost?",
+          "How many pixels belong to another triangle because vertices are rounded to a grid, and "
+          "what does a finer grid cost?",
       .axis = "subpixel bits",
       .logarithmic_axis = false,
       .error = "pixels whose coverage changes, per pixel of boundary length",
       .error_unit = "pixels per px",
-      .reference = "the triangle before the snap, in exact integers",
+      .reference = "the coverage of the triangle before the snap, in exact integers",
       .theory =
           "the area that an edge sweeps when its ends move, with b subpixel bits: sqrt(2/pi) "
           "2^-b/sqrt(12) * 0.812 = 0.187 * 2^-b per pixel of its length. As a fraction of the "

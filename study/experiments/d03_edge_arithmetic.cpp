@@ -138,13 +138,13 @@ Experiment d03_edge_arithmetic() {
       .error = "fraction of pixel centres within half a pixel of an edge that are decided wrongly",
       .reference = "128-bit integers, vertices snapped to 1/256 px",
       .theory =
-          "mean of |error of the edge function| / (longer side of the edge * 1 px), with rounding "
-          "errors counted as random, 0.42 u each (u = 2^-24): two equal products in the difference "
-          "form (0.048 u W on average, where W is the width of the screen), one with FMA, and "
-          "three products and three sums of the size of the screen in the plane form. If the "
-          "direction of the edge is reversed, the plane form only changes its sign: it is wrong, "
-          "but leaves no gap. Integers are exact, and so are doubles, which have 53 bits for "
-          "values of 50 bits",
+          "The fraction is the mean of |error of the edge function| / (longer side of the edge * 1 "
+          "px), where each rounding error counts as random, 0.42 u (u = 2^-24). The difference "
+          "form rounds two products of equal size (0.048 u W on average, where W is the width of "
+          "the screen), and only one with FMA; the plane form rounds three products and three sums "
+          "as large as the screen. If the direction of the edge is reversed, the plane form only "
+          "changes its sign: it is wrong, but leaves no gap. Integers are exact, and so are "
+          "doubles, which have 53 bits for values of 50 bits",
       .item = "pixel",
       .configurations = configurations};
 }

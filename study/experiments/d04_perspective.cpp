@@ -261,13 +261,13 @@ std::vector<Configuration> configurations(Effort effort) {
 Experiment d04_perspective() {
   using namespace d04;
   return {.id = "D-4",
-          .name = "Perspective: where the divide is done",
+          .name = "Perspective: how often the divide is done",
           .question =
               "How wrong are texture coordinates if the divide is approximated, or done only every "
               "few pixels?",
           .axis =
-              "w at the far end of a line of 256 pixels over w at its near end; for the floor and "
-              "the teapot, the largest ratio of their rows",
+              "w at the far end of a line of 256 pixels divided by w at its near end; for the "
+              "floor and the teapot, the largest such ratio of a row",
           .error =
               "largest error of u at a pixel centre, with 256 texels along the line; on the floor "
               "and the teapot, in texels of the mip level that fits each row",

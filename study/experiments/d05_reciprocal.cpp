@@ -129,23 +129,25 @@ struct Series {
 constexpr Series kSeries[] = {
     {Reciprocal::kDivide, ApproximationSource::kProcessor, "division"},
     {Reciprocal::kApproximate, ApproximationSource::kProcessor, "approximate"},
-    {Reciprocal::kNewton, ApproximationSource::kProcessor, "approximate and a Newton step"},
+    {Reciprocal::kNewton, ApproximationSource::kProcessor, "approximation and a Newton step"},
     {Reciprocal::kApproximate, ApproximationSource::kTable, "from a table"},
-    {Reciprocal::kNewton, ApproximationSource::kTable, "from a table and a Newton step"},
+    {Reciprocal::kNewton, ApproximationSource::kTable, "table and a Newton step"},
     {Reciprocal::kRootDivide, ApproximationSource::kProcessor, "root and division"},
     {Reciprocal::kRootApproximate, ApproximationSource::kProcessor, "approximate"},
-    {Reciprocal::kRootNewton, ApproximationSource::kProcessor, "approximate and a Newton step"},
+    {Reciprocal::kRootNewton, ApproximationSource::kProcessor, "approximation and a Newton step"},
     {Reciprocal::kRootApproximate, ApproximationSource::kTable, "from a table"},
-    {Reciprocal::kRootNewton, ApproximationSource::kTable, "from a table and a Newton step"},
+    {Reciprocal::kRootNewton, ApproximationSource::kTable, "table and a Newton step"},
     {Reciprocal::kMagic, ApproximationSource::kProcessor, "0x5f3759df"},
-    {Reciprocal::kMagicNewton, ApproximationSource::kProcessor, "0x5f3759df and a Newton step"},
+    {Reciprocal::kMagicNewton, ApproximationSource::kProcessor,
+     "constant 0x5f3759df and a Newton step"},
 };
 
 // A processor may be more accurate than its guarantee, by up to four bits. With a larger
 // difference, another instruction than the approximation must have been measured.
 std::optional<Finding> better_than_promised(ApproximationSource source) {
   if (source == ApproximationSource::kTable) return std::nullopt;
-  return Finding{"the processor is more accurate than its maker promises", 1.0 / 16, 0.5};
+  return Finding{"the processor's instruction is more accurate than its maker promises", 1.0 / 16,
+                 0.5};
 }
 
 constexpr int kTimed = 1 << 11;
@@ -197,7 +199,7 @@ Experiment d05_reciprocal() {
   return {.id = "D-5",
           .name = "Reciprocals: division, approximation, Newton step",
           .question = "How many digits do approximate reciprocals have, over six decades of w?",
-          .axis = "start of the decade of w",
+          .axis = "w at the start of the decade",
           .error =
               "largest relative error; multiplied by u in texels, it is the error of a texture "
               "coordinate (in a texture of 4096 texels, 2^-11.7 is 1.2 texels)",

@@ -211,13 +211,14 @@ Experiment d06_depth() {
       .error = "largest relative distance dz/z of two surfaces of which the farther one is drawn",
       .error_unit = "of the distance",
       .reference =
-          "the order of the floats on the ladder; in pictures, distances interpolated in double",
+          "the order of the test's distances; in pictures, distances interpolated in double",
       .theory =
-          "B.3 in docs/references.md, with the near plane n and the far plane f. Codes of b bits: "
-          "z (1/n - 1/f) 2^-b, reversed or not. Float with depth near 1: the same with 2^-24. "
-          "Reversed float: 2^-23 everywhere. Reversed by way of [-1, 1]: the step below -1, 2^-25. "
-          "Linear w: (f - n) 2^-b/z. Logarithmic: ln(f/n) 2^-b. It is never finer than positions "
-          "as floats, 2^-23, and never beyond the far plane.",
+          "The formulas are in B.3 of docs/references.md; n is the near plane and f the far plane. "
+          "Codes of b bits have z (1/n - 1/f) 2^-b, reversed or not, and float with depth near 1 "
+          "has the same with 2^-24. Reversed float has 2^-23 everywhere. Depth that is reversed by "
+          "way of [-1, 1] has the step of floats at -1, 2^-25. Linear w has (f - n) 2^-b/z, and "
+          "logarithmic depth has ln(f/n) 2^-b. The distance that is told apart is never smaller "
+          "than that of positions as floats, 2^-23, and never reaches beyond the far plane.",
       .item = "fragment",
       .configurations = configurations,
   };

@@ -156,8 +156,8 @@ inline std::optional<Finding> finding_on_ladder(const Format& format) {
              through_gl = format.mapping == Mapping::kReversed && format.remap == Remap::kGl;
   if (format.bits == 16 || !(near_one || through_gl)) return {};
   return Finding{
-      "near the far plane z and its product with f/(f - n) are large, and their sum and the "
-      "quotient are rounded again: up to three half steps of noise in addition to the step itself",
+      "near the far plane, z and its product with f/(f - n) are large; their sum and the quotient "
+      "are rounded again, which adds up to three half steps of noise to the step itself",
       2, 2.5};
 }
 
@@ -168,9 +168,9 @@ inline std::optional<Finding> finding_in_picture(const Format& format) {
   if (format.bits != 32 || (format.mapping == Mapping::kReversed && format.remap == Remap::kNone))
     return {};
   return Finding{
-      "only the corners have the coarse step. Between them depth is interpolated in finer steps, "
-      "so the errors of three corners are averaged, and two triangles with the same corners on the "
-      "screen often have the same error",
+      "only the corners have depths in these coarse steps. Between them depth is interpolated in "
+      "finer steps, so the errors of three corners are averaged, and two triangles with the same "
+      "corners on the screen often have the same error",
       0.25, 0.5};
 }
 

@@ -152,7 +152,8 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   add_series<Composed>(all, "one matrix", predict_composed, effort);
   add_series<Separate>(all, "view, then projection", predict_separate, effort);
-  add_series<EyeFirst>(all, "minus the eye, rotation, projection", predict_eye_first, effort);
+  add_series<EyeFirst>(all, "three steps: minus the eye, rotation, projection", predict_eye_first,
+                       effort);
   return all;
 }
 
@@ -173,12 +174,12 @@ Experiment d07_composition() {
           .error_unit = "units",
           .reference = "50 digits, for vertices and an eye that are exactly floats",
           .theory =
-              "rounding errors count as random, 0.42 u each (u = 2^-24): 0.53 u D in a row of the "
-              "matrix, where D is the distance from the origin. With one matrix, z and w have "
-              "independent errors, which for depth 0..1 and the near plane n are worth sqrt(2) z/n "
-              "as much along the gaze. With two matrices they share one error, and if z = n "
-              "exactly (reversed, infinite far plane), only w has one. If the eye is subtracted "
-              "first, nothing grows with D",
+              "Each rounding error counts as random, 0.42 u (u = 2^-24), which gives 0.53 u D for "
+              "a row of the matrix, where D is the distance from the origin. With one matrix, z "
+              "and w have independent errors, which for depth 0..1 and the near plane n are "
+              "sqrt(2) z/n times as large along the gaze. With two matrices z and w share one "
+              "error, and if z = n exactly (reversed, infinite far plane), only w has one. If the "
+              "eye is subtracted first, no error grows with D",
           .item = "vertex",
           .configurations = configurations};
 }

@@ -181,7 +181,7 @@ constexpr Series kSeries[] = {
     {"cross product at the first corner", first_corner, noisy_first, far_cross},
     {"cross product at the best corner", best_corner, noisy_best, far_cross},
     {"Newell, coordinates as they are", raw_newell, noisy_all, far_raw},
-    {"Newell, from the first corner", newell, noisy_all, far_newell},
+    {"Newell, relative to the first corner", newell, noisy_all, far_newell},
     {"Newell in double", double_newell, noisy_all, far_double},
 };
 
@@ -225,26 +225,27 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d08_normals() {
   using namespace d08;
-  return {
-      .id = "D-8",
-      .name = "Normals of polygons",
-      .question =
-          "From which corners should a polygon's normal be computed, and from which origin "
-          "should they be measured?",
-      .axis = "bend of the second corner, or distance from the origin",
-      .axis_unit = "units; an octagon of radius 1",
-      .error = "root mean square angle to the right normal",
-      .error_unit = "radian",
-      .reference =
-          "the plane before the corners are moved off it; 50 digits for flat octagons far away",
-      .theory =
-          "errors sigma of the heights tilt the normal by sigma sqrt(sum |p_(i+1) - p_(i-1)|^2) / "
-          "(2 area), summed over the corners that are used: sigma sqrt(3/2)/bend for a cross "
-          "product at the bent corner, sigma for all corners. At the distance D from the origin, "
-          "Newell's sums of raw coordinates round terms of size D: about 0.42 u D, where u is the "
-          "unit roundoff, 2^-24 for floats; differences of corners are exact",
-      .item = "polygon",
-      .configurations = configurations};
+  return {.id = "D-8",
+          .name = "Normals of polygons",
+          .question =
+              "From which corners should a polygon's normal be computed, and from which origin "
+              "should they be measured?",
+          .axis = "bend of the second corner, or distance from the origin",
+          .axis_unit = "units; an octagon of radius 1",
+          .error = "root mean square angle to the right normal",
+          .error_unit = "radian",
+          .reference =
+              "the normal of the plane before the corners are moved off it; 50 digits for flat "
+              "octagons far away",
+          .theory =
+              "Errors of the heights with the standard deviation sigma tilt the normal by sigma "
+              "sqrt(sum |p_(i+1) - p_(i-1)|^2) / (2 area), where the sum is over the corners that "
+              "are used. This is sigma sqrt(3/2)/bend for a cross product at the bent corner, and "
+              "sigma for all corners. At the distance D from the origin, Newell's sums of raw "
+              "coordinates round terms of size D, which gives an error of about 0.42 u D, where u "
+              "is the unit roundoff, 2^-24 for floats; differences of corners are exact",
+          .item = "polygon",
+          .configurations = configurations};
 }
 
 }  // namespace glassbox::study

@@ -121,8 +121,8 @@ void add_surface(const std::string& scene, const std::shared_ptr<const Surface>&
   all.push_back(configuration("snapped area", scene, surface, keep_by_area, 0));
   all.push_back(
       configuration("cluster cones", scene, surface, cones, predicted_wrong(*surface, cones)));
-  all.push_back(
-      configuration("filter, exact fallback, margin", scene, surface, keep_by_exact_test, 0));
+  all.push_back(configuration("filter, exact sum where needed, margin", scene, surface,
+                              keep_by_exact_test, 0));
   add_filter("filter in double", scene, surface, filter_in_double, effort, all);
   add_filter("filter in float", scene, surface, filter_in_float, effort, all);
 }
@@ -163,7 +163,7 @@ std::vector<Configuration> configurations(Effort effort) {
   std::vector<Configuration> all;
   add_surface("teapot", framed(make_builtin("teapot").value()), effort, all);
   add_surface("ellipsoid", ellipsoid(kScannedGrid), effort, all);
-  add_surface("ellipsoid as if scanned", scan(), effort, all);
+  add_surface("ellipsoid with the triangle sizes of a scan", scan(), effort, all);
   if (const auto file = koala()) add_surface("koala, from a file", file, effort, all);
   if (effort == Effort::kFull)
     add_surface("ellipsoid of a million triangles", ellipsoid(kFineGrid), effort, all);
@@ -184,12 +184,13 @@ Experiment d09_culling() {
       .reference =
           "the sign of the snapped triangle's area, which decides what is drawn, in 128 bits",
       .theory =
-          "An exact test in object space does not know the snap, which turns a face with twice the "
-          "area -a round with probability Phi(-a/sigma), sigma^2 = sum |edge|^2/(12 256^2): the "
-          "sum over all culled faces. With a margin for the snap: 0. Half of the faces of a closed "
-          "surface are back faces, so at most half of the set-up is saved. From far away all "
-          "cosines between gaze and normal are equally likely, so a filter cannot decide for the "
-          "fraction bound/(|normal| distance) of directions.",
+          "An exact test in object space does not know the snap. The snap gives a face with twice "
+          "the area -a the opposite sign with probability Phi(-a/sigma), sigma^2 = sum "
+          "|edge|^2/(12 256^2), so the expected number is the sum of this over all culled faces. "
+          "With a margin for the snap it is 0. Half of the faces of a closed surface are back "
+          "faces, so at most half of the set-up is saved. From far away all cosines between gaze "
+          "and normal are equally likely, so a filter cannot decide for the fraction "
+          "bound/(|normal| distance) of directions.",
       .item = "triangle",
       .measures = {{kFallbacks,
                     "fraction of eyes, in all directions and 64 units away, for which a filter "

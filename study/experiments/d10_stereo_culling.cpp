@@ -105,18 +105,18 @@ Experiment d10_stereo_culling() {
       .id = "D-10",
       .name = "Stereo culling: with which frustum",
       .question =
-          "What do the eyes miss if one frustum culls for both, and what does it cost to miss "
-          "nothing?",
+          "How many pixels do the eyes lose if one frustum culls for both, and what does it cost "
+          "to lose none?",
       .axis = "half the separation of the eyes over the distance of the window",
       .axis_unit = "%",
       .error = "pixels that show something else, per row and eye",
       .error_unit = "px",
       .reference = "both eyes' pictures with nothing culled",
       .theory =
-          "At one side, the frustum of the centre camera ends half the parallax short of each "
-          "eye's frustum: (W/2)(d/h) s |1/z - 1/f| columns (S0-04 in docs/references.md); in the "
-          "forest, the pixels of trees for which this is true at their own distance. The other "
-          "ways are conservative: 0.",
+          "At one side, the frustum of the centre camera lacks half of the parallax of each eye's "
+          "frustum, (W/2)(d/h) s |1/z - 1/f| columns (S0-04 in docs/references.md). In the forest, "
+          "the formula is applied to each tree's pixels at its own distance. The other ways never "
+          "cull what an eye can see, so they lose 0 pixels.",
       .item = "triangle",
       .configurations = configurations,
   };

@@ -112,7 +112,7 @@ constexpr Method kMethods[] = {
     {"warp of 2 layers, holes filled", 2, true, false, warp_layers<2, true>},
     {"warp of 3 layers", 3, false, false, warp_layers<3, false>},
     {"warp of 4 layers", 4, false, false, warp_layers<4, false>},
-    {"tile engine, two full passes", 0, false, true, draw_both_over_tiles},
+    {"tile engine, two complete passes", 0, false, true, draw_both_over_tiles},
     {"tile engine, shared stages", 0, false, true, draw_together_over_tiles},
     {"tile engine, depth-image warp", 1, false, false, warp_from_tiles}};
 
@@ -367,21 +367,23 @@ Experiment d11_second_eye() {
       .id = "D-11",
       .name = "The second eye: drawn or warped",
       .question =
-          "How much of the second picture's time can be saved, and what does it look like then?",
+          "How much of the second picture's time can be saved, and how much does the picture then "
+          "differ?",
       .axis = "half the separation of the eyes over the distance of the window",
       .axis_unit = "%",
       .error = "RMS difference of the right eye's picture",
       .error_unit = "1/255",
       .reference = "the right eye's picture, drawn by itself",
       .theory =
-          "Shared stages give the same bytes: 0. A warp lacks (W/2)(d/h) B (1/z_front - 1/z_back) "
-          "columns beside every edge in depth (B.9 in docs/references.md). Over the rows of the "
-          "cards this is a share of the picture, whose colours are black or, if filled, those of "
-          "another cell: sqrt(share 255 511/6), sqrt(share (256^2 - 1)/6). Two layers have the "
-          "first object behind every edge, and three the next: enough for the cards. A pixel that "
-          "shows a wrong place differs by sqrt(2) of the picture's standard deviation, and its "
-          "parallax is wrong by at most the largest one. Between the forest's trees, most of what "
-          "comes into view is behind two surfaces or more.",
+          "Shared stages give the same bytes, so the difference is 0. A warp lacks (W/2)(d/h) B "
+          "(1/z_front - 1/z_back) columns beside every edge in depth (B.9 in docs/references.md). "
+          "In the picture of cards these columns are a share of the pixels. They are black, which "
+          "gives the difference sqrt(share 255 511/6), or filled with the colours of another cell, "
+          "which gives sqrt(share (256^2 - 1)/6). Two layers contain the first object behind every "
+          "edge, and three the next one, which is enough for the cards. A pixel that shows a wrong "
+          "place differs by sqrt(2) times the picture's standard deviation, and its parallax is "
+          "wrong by at most the largest parallax. Between the forest's trees, most of what comes "
+          "into view is behind two surfaces or more.",
       .item = "pair of pictures",
       .measures = {{.name = kPsnr,
                     .error = "peak signal-to-noise ratio of the right eye's picture",

@@ -295,21 +295,23 @@ Experiment d12_anaglyph() {
       .id = "D-12",
       .name = "Anaglyph: methods for red and cyan glasses",
       .question =
-          "How much colour does each method give up for how much less rivalry between the eyes?",
+          "How much colour does each method lose, and how much does it reduce the rivalry between "
+          "the eyes?",
       .axis = "mean colour difference to the picture without glasses (CIEDE2000)",
       .logarithmic_axis = false,
       .error = "mean rivalry |Y_L/Y_Lw - Y_R/Y_Rw|",
       .error_unit = "of white",
       .reference = "equal relative luminance in both eyes; no light of the other eye",
       .theory =
-          "B.6 in docs/references.md. The mean over eight colours follows from the luminances of "
-          "screen and lenses: colour .411, half-colour .123, Dubois 2009 .075 and 2001 .062, "
-          "optimised .036, grey 0. Desaturating by k and brightening by b multiplies it by exactly "
-          "(1 - k)(1 - b). Ghosts: .0136/.0876 on the left and .0176/.3865 on the right. For other "
-          "pictures, rivalry is a . c, and its mean is that of a normal distribution with the mean "
-          "and standard deviation that the picture's colours give; for the search between the "
-          "goals of both eyes, half of the colour method's. The colours of photographs are more "
-          "peaked than a normal distribution, so their mean is lower.",
+          "The formulas are in B.6 of docs/references.md. The mean rivalry of eight colours "
+          "follows from the luminances of screen and lenses: colour has .411, half-colour .123, "
+          "Dubois 2009 .075 and 2001 .062, optimised .036, grey 0. Desaturating by k and "
+          "brightening by b multiplies it by exactly (1 - k)(1 - b). The ghosts are .0136/.0876 on "
+          "the left and .0176/.3865 on the right. For other pictures, the rivalry of a colour c is "
+          "a . c, and its mean is that of a normal distribution with the mean and standard "
+          "deviation of the picture's colours; the search between the goals of both eyes has half "
+          "the rivalry of the colour method. The colours of photographs are more concentrated than "
+          "a normal distribution, so their mean is lower.",
       .item = "pixel",
       .measures = {{kGhosts,
                     "light of the other eye's white where this eye's picture is black, divided by "

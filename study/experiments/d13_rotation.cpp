@@ -154,10 +154,10 @@ Experiment d13_rotation() {
               "picture",
           .reference = "double with error-free products and sums",
           .theory =
-              "the rounded step S has a defect E = S S^T - I, and the part of E that is symmetric "
-              "about the axis is added at each step: linear growth. Rounding errors add 0.42 u * "
-              "3.1 sqrt(8/3 n) in n steps as a random walk, where u is the unit roundoff. Each "
-              "renormalisation resets both",
+              "The rounded step S is not quite a rotation: E = S S^T - I is not 0, and the part of "
+              "E that is symmetric about the axis is added at each step, so the error grows "
+              "linearly. Rounding errors add a random walk of 0.42 u * 3.1 sqrt(8/3 n) in n steps, "
+              "where u is the unit roundoff. Each renormalisation sets both errors back",
           .item = "step",
           .configurations = configurations};
 }

@@ -181,26 +181,28 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d14_layer_warp() {
   using namespace d14;
-  return {
-      .id = "D-14",
-      .name = "Warping the samples of a layered image",
-      .question = "What do additions instead of products save, and how far do they drift?",
-      .axis = "width of a row",
-      .axis_unit = "px",
-      .error = "RMS distance of a sample from its place, before the division",
-      .error_unit = "px",
-      .reference = "the product with the matrix, to twice the digits of double",
-      .theory =
-          "a rounding error is uniform within half a unit in the last place: ulp/sqrt 12. Adding "
-          "the same step again to a sum with the same power of two is rounded by the same amount "
-          "again, so n additions are off by n ulp/sqrt 12; the error of w counts x times. At most "
-          "W u W px, of which a sum over the powers of two remains. A coordinate with the error e "
-          "falls into another pixel with the probability E min(1, |e|)",
-      .item = "sample",
-      .measures = {{kMoved,
-                    "fraction of the samples that fall into the row or column of another pixel",
-                    ""}},
-      .configurations = configurations};
+  return {.id = "D-14",
+          .name = "Warping the samples of a layered image",
+          .question =
+              "How much time do additions in place of products save, and how large does their "
+              "error become?",
+          .axis = "width of a row",
+          .axis_unit = "px",
+          .error = "RMS distance of a sample from its place, before the division",
+          .error_unit = "px",
+          .reference = "the product with the matrix, to twice the digits of double",
+          .theory =
+              "A rounding error is uniform within half a unit in the last place, so its standard "
+              "deviation is ulp/sqrt 12. If the same step is added again to a sum with the same "
+              "power of two, it is rounded by the same amount again, so n additions have an error "
+              "of n ulp/sqrt 12; the error of w is multiplied by x. This is at most W u W px, and "
+              "the sum over the powers of two is smaller. A coordinate with the error e falls into "
+              "another pixel with the probability E min(1, |e|)",
+          .item = "sample",
+          .measures = {{kMoved,
+                        "fraction of the samples that fall into the row or column of another pixel",
+                        ""}},
+          .configurations = configurations};
 }
 
 }  // namespace glassbox::study

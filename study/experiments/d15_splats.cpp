@@ -133,7 +133,8 @@ void add_test_scene(int samples, double times, bool tilted, std::vector<Configur
   // sample has for the second eye (S1-10).
   const double with_tilt = std::max(m.focal * std::sqrt(m.x / m.y), 1.0);
   if (tilted)
-    add_footprint("square of side l, with the tilt", test_scene, times, Square{with_tilt}, all);
+    add_footprint("square of side l, widened by the tilt", test_scene, times, Square{with_tilt},
+                  all);
   add_footprint("four sizes, weights 1, 1/2, 1/4", test_scene, times,
                 FourSizes::for_size(with_tilt), all);
   add_footprint("Gaussian (EWA)", test_scene, times, Gaussian::for_magnification(m), all);
@@ -159,17 +160,18 @@ Experiment d15_splats() {
   using namespace d15;
   return {
       .id = "D-15",
-      .name = "Splats: one pixel, a square or a bell (Gaussian)",
-      .question = "Which footprint of a sample leaves no holes, and what does it blur?",
+      .name = "Splats: one pixel, a square or a Gaussian",
+      .question = "Which footprint of a sample leaves no holes, and how much does it blur?",
       .axis = "magnification from one picture to the other",
       .error = "fraction of a wall's pixels that show nothing",
       .reference = "the wall of samples, averaged over each pixel",
       .theory =
-          "at the magnification m, one pixel per sample covers 1/m^2, so 1 - 1/m^2 are holes; with "
-          "3 x 3 pixels, 1 - 9/m^2 from m = 3 on; with sides l = m, none. A wall at 60 degrees is "
-          "twice as wide. The colours of the samples are independent, with the mean 127.5 and the "
-          "variance s = (256^2 - 1)/12. A footprint is a filter: with weights d, its error has the "
-          "mean square s sum(d^2) + 127.5^2 (sum d)^2, and so have the differences of neighbours",
+          "At the magnification m, one pixel per sample covers 1/m^2 of the wall, so 1 - 1/m^2 are "
+          "holes; with 3 x 3 pixels, 1 - 9/m^2 are holes for m above 3; squares of side l = m "
+          "leave no holes. A wall at 60 degrees is twice as wide. The colours of the samples are "
+          "independent, with the mean 127.5 and the variance s = (256^2 - 1)/12. A footprint is a "
+          "filter: if its weights differ by d from the right ones, its error has the mean square s "
+          "sum(d^2) + 127.5^2 (sum d)^2, and the differences of neighbours follow the same formula",
       .item = "sample",
       .measures =
           {{kRms, "RMS error of a channel", "1/255"},

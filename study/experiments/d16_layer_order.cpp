@@ -203,10 +203,10 @@ std::vector<Configuration> configurations(Effort effort) {
   for (const Move& move : kMoves) {
     for (const double layers : counts) {
       const auto test_scene = std::make_shared<const LayerTestScene>(make_test_scene(move, layers));
-      add_method<Method::kDepth>("the nearest, by depth", test_scene, layers, 0, all);
-      add_method<Method::kOrder>("the last, in an order for this eye", test_scene, layers,
-                                 move.order(layers), all);
-      add_method<Method::kPacked>("the last, as they are packed", test_scene, layers,
+      add_method<Method::kDepth>("the nearest sample, by depth", test_scene, layers, 0, all);
+      add_method<Method::kOrder>("the last sample, in McMillan's order for this eye", test_scene,
+                                 layers, move.order(layers), all);
+      add_method<Method::kPacked>("the last sample, in the order of the file", test_scene, layers,
                                   move.packed(layers), all);
     }
   }
@@ -217,23 +217,25 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d16_layer_order() {
   using namespace d16;
-  return {.id = "D-16",
-          .name = "Visibility: by order or by depth",
-          .question =
-              "Does drawing in an order show the same as a depth buffer, and what does it save?",
-          .axis = "samples for each pixel",
-          .error = "fraction of the pixels with samples that do not show their nearest sample",
-          .reference = "the place of each sample, and the nearest sample of each pixel",
-          .theory =
-              "McMillan's order is right for points: two that fall on one pixel and are visited in "
-              "the wrong order would have to be less than a pixel apart in the new picture and at "
-              "least one pixel apart in the first, which is impossible if objects look as large or "
-              "larger. If they look half as large, four pixels fall on one, and the last of them "
-              "is the nearest in 1 of 4 thin slabs. In packed order the farthest sample stays "
-              "wherever two samples fall on one pixel, to the left for a move to the right, and "
-              "above for a move ahead: 1 - m e^-m/(1 - e^-m), with m samples on average (Poisson)",
-          .item = "sample",
-          .configurations = configurations};
+  return {
+      .id = "D-16",
+      .name = "Visibility: by the drawing order or by a depth buffer",
+      .question =
+          "Does drawing in an order show the same as a depth buffer, and what does it save?",
+      .axis = "samples for each pixel",
+      .error = "fraction of the pixels with samples that do not show their nearest sample",
+      .reference = "the place of each sample, and the nearest sample of each pixel",
+      .theory =
+          "McMillan's order is right for points: two points that fall on one pixel and are visited "
+          "in the wrong order would have to be less than a pixel apart in the new picture and at "
+          "least one pixel apart in the first, which is impossible if objects look as large or "
+          "larger. If they look half as large, four pixels fall on one, and the last of them is "
+          "the nearest in only one of four cases. In the order of the file the farthest sample "
+          "stays wherever two samples fall on one pixel, on the left side for an eye that moves to "
+          "the right, and in the upper half for an eye that moves forward; this happens for the "
+          "fraction 1 - m e^-m/(1 - e^-m), with m samples on average (Poisson)",
+      .item = "sample",
+      .configurations = configurations};
 }
 
 }  // namespace glassbox::study

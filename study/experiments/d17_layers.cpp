@@ -232,7 +232,7 @@ Experiment d17_layers() {
   using namespace d17;
   return {
       .id = "D-17",
-      .name = "Layers: how many, and of how many eyes",
+      .name = "Layers: how many, and from how many eyes",
       .question =
           "How much of another eye's view do the layers contain, and how much memory do they take?",
       .axis = "layers of each eye",
@@ -240,12 +240,13 @@ Experiment d17_layers() {
       .error = "fraction of another eye's pixels with a surface that no layer has",
       .reference = "the scene as that eye sees it",
       .theory =
-          "a line meets randomly placed objects as in a Poisson process, T on average. A point "
-          "that one eye sees is behind t objects for the other eye, with the density e^-t: k "
-          "layers lack int e^-t P(N(t) >= k) dt, which is 2^-k for an endless slab; for the layers "
-          "of two eyes, P is squared. A pixel stores E min(N, k) samples of 8 bytes, and an offset "
-          "of 4 bytes. If samples absorb those within epsilon of their depth, 1 - ln(1 + T "
-          "epsilon)/(T epsilon) are lost",
+          "A line of sight meets randomly placed objects as a Poisson process, T objects on "
+          "average. A point that one eye sees is behind t objects on average for the other eye, "
+          "and t has the density e^-t. So k layers lack the fraction int e^-t P(N(t) >= k) dt, "
+          "which is 2^-k for a scene of infinite depth; for the layers of two eyes, P is squared. "
+          "A pixel stores E min(N, k) samples of 8 bytes, and an offset of 4 bytes. If samples "
+          "within epsilon of the depth of another are merged with it, 1 - ln(1 + T epsilon)/(T "
+          "epsilon) of the samples are lost",
       .item = "picture",
       .axis_is_chosen = true,
       .measures = {{kStorage, "bytes for each pixel", "bytes"},

@@ -161,10 +161,11 @@ Experiment d18_voxels() {
       .error_unit = "ball radii",
       .reference = "the ball's formula",
       .theory =
-          "0.480 of a voxel's edge (the mean distance from a point of a cube to its centre) and "
-          "0.383 of a pixel (the same for a square), added in squares. With N voxels along each "
-          "axis and m pictures: look-ups: N^3 m. Memory: N^2 m (S1-22 in docs/references.md), 9 "
-          "bytes per pixel and the data of the voxels of six faces and a layer",
+          "The error is sqrt(a^2 + b^2), where a is 0.480 of a voxel's edge (the mean distance "
+          "from a point of a cube to its centre) and b is 0.383 of a pixel (the same for a "
+          "square). With N voxels along each axis and m pictures there are N^3 m look-ups. The "
+          "memory grows like N^2 m (S1-22 in docs/references.md): 9 bytes per pixel and the data "
+          "of the voxels of six faces and a layer",
       .item = "voxel and picture",
       .measures = {{.name = "left out",
                     .error = "RMS error of a picture that was left out, where voxels cover it",

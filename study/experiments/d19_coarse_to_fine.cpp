@@ -96,9 +96,10 @@ Experiment d19_coarse_to_fine() {
       .error = "fraction of the coloured voxels that are lost",
       .reference = "a sweep through all voxels",
       .theory =
-          "examined: the cells of two voxels around a surface of the ball's area, three cells "
-          "deep, as a fraction of all voxels, O(N^2) voxels if there are N along each axis. The "
-          "loss follows no law: it is thin parts, and corners that coarse pixels blur",
+          "The examined voxels are those of cells of two voxels around a surface with the ball's "
+          "area, three cells deep. This is O(N^2) of all N^3 voxels if there are N along each "
+          "axis. No formula predicts the loss: thin parts are lost, and corners that coarse pixels "
+          "blur",
       .item = "voxel",
       .axis_is_chosen = true,
       .measures = {{.name = "judged",

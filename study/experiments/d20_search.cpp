@@ -168,10 +168,11 @@ Experiment d20_search() {
           .error = "fraction of pixels with a wrong match",
           .reference = "the disparity with which the pair was made, below a quarter of the width",
           .theory =
-              "each of C candidates has the same 8 bits with probability p = 1/256, and the first "
-              "is taken: 1 - (1 - (1 - p)^C)/(C p), C = D along the row with D disparities, and W "
-              "H anywhere in a picture of W x H pixels (S2-11 in docs/references.md). There are W "
-              "H D and W^2 H^2 comparisons, so the time for a pixel grows like W and like W^2",
+              "Each of C candidates has the same 8 bits with probability p = 1/256, and the first "
+              "one is taken, so the fraction 1 - (1 - (1 - p)^C)/(C p) is wrong. C is D along the "
+              "row with D disparities, and W H anywhere in a picture of W x H pixels (S2-11 in "
+              "docs/references.md). There are W H D and W^2 H^2 comparisons, so the time for a "
+              "pixel grows like W and like W^2",
           .item = "pixel",
           .measures = {{.name = "comparisons",
                         .error = "comparisons for all pixels of the left picture",

@@ -156,7 +156,7 @@ std::optional<Finding> finding(double baseline_over_depth) {
   const double step = kFocal * baseline_over_depth * kDepth * (1 / kPillars - 1 / kDepth);  // in px
   if (step < double(views::kSmoothed)) {
     return Finding{
-        "no step in depth is so high that averaging with its surroundings does not remove it", 0.2,
+        "every step in depth is so small that averaging with its surroundings removes it", 0.2,
         0.5};
   }
   if (baseline_over_depth < 0.1) return std::nullopt;

@@ -120,26 +120,26 @@ std::vector<Configuration> configurations(Effort effort) {
 
 Experiment d22_samples() {
   using namespace d22;
-  return {
-      .id = "D-22",
-      .name = "Random samples against outliers",
-      .question =
-          "How many samples does a robust estimate of two cameras need, and what does it save "
-          "to use five matches per sample?",
-      .axis = "fraction of outliers",
-      .logarithmic_axis = false,
-      .error = "median number of samples until one without an outlier is likely enough",
-      .reference =
-          "200 matches with a noise of 1/10 px, and outliers anywhere; the threshold is 2 px",
-      .theory =
-          "log(0.01)/log(1 - w^k), w the fraction of inliers, k the matches per sample (Fischler "
-          "and Bolles 1981); condition numbers are measured (B.8 in docs/references.md)",
-      .item = "estimate",
-      .measures = {{.name = "condition",
-                    .error = "median condition number of the system of n matches",
-                    .error_unit = "",
-                    .axis = "matches"}},
-      .configurations = configurations};
+  return {.id = "D-22",
+          .name = "Random samples against outliers",
+          .question =
+              "How many samples does a robust estimate of two cameras need, and what does it save "
+              "to use five matches per sample?",
+          .axis = "fraction of outliers",
+          .logarithmic_axis = false,
+          .error = "median number of samples until one without an outlier is likely enough",
+          .reference =
+              "200 matches with a noise of 1/10 px, and outliers anywhere; the threshold is 2 px",
+          .theory =
+              "log(0.01)/log(1 - w^k) samples are needed, where w is the fraction of inliers and k "
+              "the number of matches per sample (Fischler and Bolles 1981); condition numbers are "
+              "measured (B.8 in docs/references.md)",
+          .item = "estimate",
+          .measures = {{.name = "condition",
+                        .error = "median condition number of the system of n matches",
+                        .error_unit = "",
+                        .axis = "matches"}},
+          .configurations = configurations};
 }
 
 }  // namespace glassbox::study

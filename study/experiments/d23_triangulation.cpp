@@ -61,17 +61,17 @@ std::vector<Configuration> configurations(Effort effort) {
         std::vector<views::Match> pixels;
         for (int i = 0; i < 64; ++i)
           pixels.push_back(project_match(setup.rig, setup.point, kNoise, random));
-        all.push_back({.series = views::name_of(triangulator),
-                       .parameter = degrees,
-                       .scene = away == 6 ? "both as far away" : "one six times nearer",
-                       .error = [=] { return spread_of(setup, triangulator, samples).rms; },
-                       .predicted_error = predicted_rms(setup),
-                       .work = repeated_work(4, pixels,
-                                             [=](const views::Match& match) {
-                                               return views::triangulate(triangulator, match,
-                                                                         setup.rig);
-                                             }),
-                       .items = 256});
+        all.push_back(
+            {.series = views::name_of(triangulator),
+             .parameter = degrees,
+             .scene = away == 6 ? "both cameras equally far away" : "one camera six times nearer",
+             .error = [=] { return spread_of(setup, triangulator, samples).rms; },
+             .predicted_error = predicted_rms(setup),
+             .work = repeated_work(4, pixels,
+                                   [=](const views::Match& match) {
+                                     return views::triangulate(triangulator, match, setup.rig);
+                                   }),
+             .items = 256});
       }
     }
   }
@@ -89,10 +89,11 @@ Experiment d23_triangulation() {
           .axis_unit = "degrees",
           .error = "RMS distance from the point, for a noise of 1 px",
           .error_unit = "world units",
-          .reference = "the point, 6 in front of a camera of 640 x 480 pixels and focal length 800",
+          .reference =
+              "the true point, 6 in front of a camera of 640 x 480 pixels and focal length 800",
           .theory =
-              "(J^T J)^-1 sigma^2, where J has the derivatives of the four pixel coordinates with "
-              "respect to the point: the covariance of the best estimate, to first order (S2-13 in "
+              "The best estimate has the covariance (J^T J)^-1 sigma^2 to first order, where J has "
+              "the derivatives of the four pixel coordinates with respect to the point (S2-13 in "
               "docs/references.md)",
           .item = "point",
           .configurations = configurations};

@@ -228,7 +228,8 @@ Experiment d24_view_blends() {
       .id = "D-24",
       .name = "Textures that depend on the view",
       .question =
-          "How well do pictures from all around give a picture in between, and how smoothly?",
+          "How well can a picture be made from the pictures around it, and how smoothly does it "
+          "change with the eye?",
       .axis = "angle between neighbouring pictures",
       .axis_unit = "degrees",
       .error = "RMS difference from the picture half way between two, over the object",
@@ -237,14 +238,15 @@ Experiment d24_view_blends() {
           "the picture drawn from there, 96 px wide; the given pictures are four times as fine, of "
           "a teapot under a fixed light",
       .theory =
-          "the nearest picture is wrong by half the angle times the change of a surface's light "
+          "The nearest picture is wrong by half the angle times the change of a surface's light "
           "with the eye, so its error grows like the angle. Linear interpolation between two "
           "pictures has an error that grows like the square of the angle (S1-40 in "
-          "docs/references.md). The error of the same surface without highlights is added in "
-          "squares: the resampling of pixels, which does not depend on the angle. The constants "
-          "are those of the widest spacing. A surface of one colour leaves no error. In the middle "
-          "between two views, the weight of the nearest one jumps by 1; barycentric weights change "
-          "by the step over 2 tan(d/2), and those of four neighbours by 15/14 of the step over d",
+          "docs/references.md). The square of the error of the same surface without highlights is "
+          "added; this error comes from the resampling of pixels and does not depend on the angle. "
+          "The constants are measured at the widest spacing. A surface of one colour has no error. "
+          "In the middle between two views, the weight of the nearest one jumps by 1; barycentric "
+          "weights change by the step divided by 2 tan(d/2), and those of four neighbours by 15/14 "
+          "of the step divided by d",
       .item = "picture",
       .measures = {{.name = kJump,
                     .error = "largest change of a weight in a step of 1e-6 across the middle",
@@ -252,7 +254,7 @@ Experiment d24_view_blends() {
                    {.name = kFiner,
                     .error = "RMS difference of a dull surface: the error of resampling alone",
                     .error_unit = "levels",
-                    .axis = "times finer than the picture in between"}},
+                    .axis = "times as many pixels as in the picture in between"}},
       .configurations = configurations};
 }
 

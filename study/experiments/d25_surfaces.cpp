@@ -30,9 +30,9 @@ std::string series_of(Polygoniser polygoniser) {
     case Polygoniser::kNaive:
       return "fifteen cases";
     case Polygoniser::kConsistent:
-      return "one rule for each face";
+      return "one rule for every ambiguous face";
     case Polygoniser::kSaddle:
-      return "the saddle's side of each face";
+      return "the side of the saddle point on each face";
     case Polygoniser::kTetrahedra:
       return "six tetrahedra";
   }
@@ -229,7 +229,7 @@ Experiment d25_surfaces() {
                    {.name = kHoles,
                     .error = "edges that are not in two triangles, for each face of the lattice",
                     .error_unit = "",
-                    .axis = "fraction of the corners that are inside",
+                    .axis = "fraction of the lattice's corners that are inside",
                     .logarithmic_axis = false}},
       .configurations = configurations};
 }

@@ -389,7 +389,7 @@ Experiment d26_tessellation() {
   using namespace d26;
   return {
       .id = "D-26",
-      .name = "Tessellation: into how many triangles",
+      .name = "Tessellation: how many triangles are needed",
       .question =
           "How far are the triangles from the curved surface in the picture, and what does a finer "
           "mesh cost?",
@@ -400,12 +400,13 @@ Experiment d26_tessellation() {
       .error_unit = "px",
       .reference = "the Bezier patches in double",
       .theory =
-          "a chord is h^2/8 of the second derivative across the surface away from its arc: the "
-          "largest over the teapot, times 1/level^2, so error times triangles stays the same. For "
-          "a decimated mesh, the lower limit of all meshes with corners on the surface: 2/(3 sqrt "
-          "3) of the integral of sqrt|K|, over the number of triangles (D'Azevedo and Simpson "
-          "1989). An outline along chords is off by h^2/12 of the curvature along it and, because "
-          "corners are beside it, by h^2/24 of the curvature across it",
+          "A chord of length h is h^2/8 times the second derivative across the surface away from "
+          "its arc. The largest such distance over the teapot is divided by level^2, so error "
+          "times number of triangles stays the same. For a decimated mesh, the formula is the "
+          "lower limit of all meshes with corners on the surface: 2/(3 sqrt 3) times the integral "
+          "of sqrt|K|, divided by the number of triangles (D'Azevedo and Simpson 1989). An outline "
+          "along chords is wrong by h^2/12 times the curvature along it and, because corners are "
+          "beside it, by h^2/24 times the curvature across it",
       .item = "frame",
       .threaded = true,
       .axis_is_chosen = true,

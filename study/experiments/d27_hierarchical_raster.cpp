@@ -151,9 +151,10 @@ Experiment d27_hierarchical_raster() {
           "the definition (edge functions and top-left rule) in 128 bits at every pixel of the "
           "picture",
       .theory =
-          "All ways compute in integers: 0. A box of side L has L^2 pixels. A compact triangle "
-          "covers up to half of them, a sliver L/2 (the worst case: O(L^2) tests for O(L) pixels). "
-          "Blocks test O(L) pixels along the edges, and rows need three divisions.",
+          "All ways compute in integers, so no pixel is wrong. A box of side L has L^2 pixels. A "
+          "compact triangle covers up to half of them, and a sliver only L/2, which is the worst "
+          "case: O(L^2) tests for O(L) pixels. Blocks test O(L) pixels along the edges, and rows "
+          "need three divisions each.",
       .item = "triangle",
       .configurations = configurations,
   };

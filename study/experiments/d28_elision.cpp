@@ -238,15 +238,18 @@ Experiment d28_elision() {
   using namespace d28;
   return {
       .id = "D-28",
-      .name = "Stage elision: leaving out what a scene does not need",
+      .name = "Stage elision: leaving out the work that a scene does not need",
       .question =
-          "What does each decision of the plan save, where its proof holds and where it does not?",
-      .axis = "1: the decision is taken where its proof holds; 0: everything runs",
+          "How much time does each decision of the plan save in a scene where it applies, and how "
+          "much does it cost in one where it does not?",
+      .axis = "1: the plan leaves out what it can prove to be unneeded; 0: everything runs",
       .logarithmic_axis = false,
       .error = "pixels whose colour (or depth, if it is wanted) differs",
       .error_unit = "pixels",
       .reference = "the staged reference",
-      .theory = "A decision needs a proof that no byte changes: 0.",
+      .theory =
+          "The plan leaves something out only if it is proved that no byte changes, so the number "
+          "is 0.",
       .item = "picture",
       .threaded = true,
       .configurations = configurations,

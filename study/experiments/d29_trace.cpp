@@ -88,11 +88,12 @@ struct Method {
   double records;  // value on the axis
   Rendering (*run)(const TracedScene&);
 };
-constexpr Method kMethods[] = {{"compiled out: no observer", 0, run_untraced},
-                               {"called at every stage, nothing done", 1, run_observed},
-                               {"counters at every stage", 2, run_counted},
-                               {"trace of one pixel", 3, run_filtered},
-                               {"full trace", 4, run_dumped}};
+constexpr Method kMethods[] = {
+    {"no observer: its calls are not compiled", 0, run_untraced},
+    {"an observer that is called at every stage and does nothing", 1, run_observed},
+    {"an observer that counts at every stage", 2, run_counted},
+    {"a trace of one pixel", 3, run_filtered},
+    {"full trace", 4, run_dumped}};
 
 double differing_pixels(const Framebuffer& one, const Framebuffer& other) {
   double count = 0;
@@ -129,17 +130,18 @@ Experiment d29_trace() {
   return {
       .id = "D-29",
       .name = "Trace: the cost of observing a run",
-      .question = "What does it cost that a run can be observed, and what does observing it cost?",
+      .question =
+          "How much time does it cost to make a run observable, and how much to observe it?",
       .axis =
-          "0 no calls in the code, 1 all stages call, 2 all stages counted, 3 one pixel "
-          "recorded, 4 everything recorded",
+          "0: no calls in the code, 1: all stages call an observer, 2: it counts at all stages, 3: "
+          "one pixel is recorded, 4: everything is recorded",
       .logarithmic_axis = false,
       .error = "pixels whose colour or depth differ",
       .error_unit = "pixels",
       .reference = "the picture of a run without an observer",
       .theory =
-          "An observer changes nothing: 0. The observer is a type, so a run without an observer is "
-          "compiled without its calls.",
+          "An observer changes no pixel, so the number is 0. The observer is a template parameter, "
+          "so a run without an observer is compiled without its calls.",
       .item = "picture",
       .configurations = configurations,
   };

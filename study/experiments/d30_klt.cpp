@@ -84,7 +84,8 @@ std::optional<Finding> finding_of_bytes(const views::Klt& klt, int kept) {
   const double added = rounding_of(klt, kept) / klt.truncation_error(kept);
   if (added < 0.5) return std::nullopt;
   return Finding{
-      "components stored as bytes are rounded, by more than the error of the dropped components",
+      "components that are stored as bytes are rounded, and this error is larger than that of the "
+      "dropped components",
       1 + 0.9 * added, 1 + 1.1 * added};
 }
 
@@ -108,7 +109,8 @@ std::vector<Configuration> configurations(Effort effort) {
     };
     add("components", from_components, klt.truncation_error(kept), std::nullopt);
     add("components in bytes", from_bytes, klt.truncation_error(kept), finding_of_bytes(klt, kept));
-    add("the bands of most variance", some_bands, variance_without(klt, kept), std::nullopt);
+    add("the bands with the largest variance", some_bands, variance_without(klt, kept),
+        std::nullopt);
   }
   return all;
 }
@@ -119,15 +121,16 @@ Experiment d30_klt() {
   using namespace d30;
   return {.id = "D-30",
           .name = "Components of bands: how many",
-          .question = "How much of five bands do a few numbers per pixel keep?",
+          .question = "How exactly can five bands be restored from a few numbers per pixel?",
           .axis = "components that are kept",
           .logarithmic_axis = false,
           .error = "mean squared distance of a pixel from its original",
           .error_unit = "counts^2",
           .reference = "the bands of a generated planet, ten bits each",
           .theory =
-              "exactly the sum of the eigenvalues that were dropped (S1-14 in docs/references.md); "
-              "for bands as they are, the sum of the variances of the dropped bands",
+              "The error is exactly the sum of the eigenvalues of the dropped components (S1-14 in "
+              "docs/references.md); for bands as they are, it is the sum of the variances of the "
+              "dropped bands",
           .item = "pixel",
           .axis_is_chosen = true,
           .configurations = configurations};

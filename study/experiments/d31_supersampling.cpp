@@ -159,9 +159,9 @@ void add_scene(const std::string& name, const std::shared_ptr<const Samples>& sa
                        return std::sqrt(squares / items);
                      },
                  .predicted_error = 0x1p-53,
-                 .finding = Finding{"long edges cost digits: the crossing of an edge with the "
+                 .finding = Finding{"long edges lose digits: the crossing of an edge with the "
                                     "pixel's border is computed from corners up to 120 px away, "
-                                    "with rounding errors of numbers of this size",
+                                    "with the rounding errors of numbers of this size",
                                     2, 120},
                  .work =
                      [=](int) {
@@ -185,19 +185,20 @@ Experiment d31_supersampling() {
   using namespace d31;
   return {
       .id = "D-31",
-      .name = "Supersampling: where the samples of a pixel are",
-      .question = "How smooth an edge do how many samples give, and where should they be?",
+      .name = "Supersampling: how many samples a pixel has, and where",
+      .question =
+          "How smooth is an edge with a given number of samples, and where should the samples be?",
       .axis = "samples per pixel",
       .error = "RMS error of the covered fraction, over partly covered pixels",
       .error_unit = "pixel",
       .reference = "the exact area of triangle and pixel, by clipping in rationals",
       .theory =
-          "m is the mean of c(1 - c) over the pixels, where c is the covered fraction of a pixel. "
-          "S random samples: sqrt(m/S), by the binomial variance. A cell of a grid of S cells has "
-          "an error only if an edge crosses it, and a line crosses sqrt(S) of the S cells on "
-          "average (Cauchy-Crofton): sqrt(m) S^-3/4, which is also true for regular patterns. One "
-          "sample at the centre: RMS of min(c, 1 - c). Analytic area: a few rounding errors of "
-          "numbers below one pixel, 2^-53",
+          "Let c be the covered fraction of a pixel and m the mean of c(1 - c) over the pixels. S "
+          "random samples have the error sqrt(m/S), by the binomial variance. A cell of a grid of "
+          "S cells has an error only if an edge crosses it, and a line crosses sqrt(S) of the S "
+          "cells on average (Cauchy-Crofton), so the error is sqrt(m) S^-3/4, which is also true "
+          "for regular patterns. One sample at the centre has the RMS of min(c, 1 - c). The "
+          "analytic area has a few rounding errors of numbers below one pixel, 2^-53",
       .item = "pixel",
       .axis_is_chosen = true,
       .configurations = configurations,

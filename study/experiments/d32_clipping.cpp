@@ -82,8 +82,8 @@ std::vector<Configuration> configurations(Effort effort) {
   // The bound in px: three rounding errors of relative size u (the unit roundoff, 2^-24), of the
   // crossing's x and z and of the product of the projection, at half of the width.
   const double bound = 3 * double(unit_roundoff<float>) * kWidth / 2;
-  add_series<EyeSpace>(all, "eye space, the pyramid", bound, effort);
-  add_series<ClipSpace>(all, "clip space, the box", 0, effort);
+  add_series<EyeSpace>(all, "eye space, against the viewing pyramid", bound, effort);
+  add_series<ClipSpace>(all, "clip space, against the box", 0, effort);
   return all;
 }
 
@@ -94,7 +94,8 @@ Experiment d32_clipping() {
   return {
       .id = "D-32",
       .name = "Clipping: in eye space or in clip space",
-      .question = "What is gained by clipping against a box instead of the viewing pyramid?",
+      .question =
+          "Is clipping against a box faster or more exact than against the viewing pyramid?",
       .axis = "length of a triangle's edges over the picture's width",
       .error =
           "largest distance of a vertex that clipping made from the edge of the picture at which "

@@ -51,7 +51,7 @@ std::vector<SweepSeries> near_far_series() {
   for (const Format& format :
        {Format{"float reversed", DepthFormat::kFloat32Reversed, DepthPath::kNone, 0},
         {"float", DepthFormat::kFloat32, DepthPath::kNone, 0x1p-24},
-        {"float reversed by way of [-1, 1]", DepthFormat::kFloat32Reversed, DepthPath::kThroughGl,
+        {"float, reversed by way of [-1, 1]", DepthFormat::kFloat32Reversed, DepthPath::kThroughGl,
          0x1p-24},
         {"24 bits", DepthFormat::kUnorm24, DepthPath::kNone, 0x1p-24},
         {"16 bits", DepthFormat::kUnorm16, DepthPath::kNone, 1 / 65535.0}}) {

@@ -55,7 +55,7 @@ SweepSeries series_of(const char* name, bool ours, LooksAt looks_at, double roun
 
 std::vector<SweepSeries> up_angle_series() {
   return {series_of("look_at, in double", true, look_at, unit_roundoff<double>),
-          series_of("double without the limit", false, naive::look_at_without_limit,
+          series_of("look_at in double, without its limit", false, naive::look_at_without_limit,
                     unit_roundoff<double>),
           series_of("float", false, naive::look_at_in_float, double(unit_roundoff<float>))};
 }

@@ -99,17 +99,17 @@ struct Peer {
 };
 const std::vector<Peer>& peers() {
   static const std::vector<Peer> all{
-      {1, {{"yours", "Newell, from the first corner"}}},
+      {1, {{"yours", "Newell, relative to the first corner"}}},
       {2,
        {{"yours, every step", "float, renormalised every step"},
         {"yours, every 10 steps", "float, renormalised every 10 steps"},
         {"yours, every 100 steps", "float, renormalised every 100 steps"},
         {"yours, every 1000 steps", "float, renormalised every 1000 steps"}}},
       {3,
-       {{"yours, U V N", "minus the eye, rotation, projection"},
-        {"yours, two rotations", "minus the eye, rotation, projection"}}},
-      {4, {{"yours", "minus the eye, rotation, projection"}}},
-      {5, {{"yours", "clip space, the box"}}},
+       {{"yours, U V N", "three steps: minus the eye, rotation, projection"},
+        {"yours, two rotations", "three steps: minus the eye, rotation, projection"}}},
+      {4, {{"yours", "three steps: minus the eye, rotation, projection"}}},
+      {5, {{"yours", "clip space, against the box"}}},
       {6, {{"yours", "int64"}}},
       {7,
        {{"yours, u16", "u16"},
@@ -349,7 +349,7 @@ TEST_CASE(
   CHECK(made.out.find("yours") != std::string::npos);
   const std::string page = read_text_file(folder / "chart.html").value();
   CHECK(page.find("\"yours\"") != std::string::npos);
-  CHECK(page.find("clip space, the box") != std::string::npos);
+  CHECK(page.find("clip space, against the box") != std::string::npos);
   const std::string claim = read_text_file(folder / "measured.json").value();
   CHECK(claim.size() < 4096);
   CHECK_FALSE(fs::exists(folder / "ann/build"));

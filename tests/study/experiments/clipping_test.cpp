@@ -97,8 +97,8 @@ TEST_CASE("in floats both leave as many vertices, nearly all in the same places"
 
 TEST_CASE("D-32: the box's vertices lie on the picture's edges, and the pyramid's beside them") {
   const auto all = check_experiment(d32_clipping());
-  CHECK(largest_error(all, "clip space, the box") == 0);
-  const double beside = largest_error(all, "eye space, the pyramid");
+  CHECK(largest_error(all, "clip space, against the box") == 0);
+  const double beside = largest_error(all, "eye space, against the viewing pyramid");
   CHECK(beside > 0);
   CHECK(beside < 1e-4);  // px: three roundings, 3 * 2^-24 * 512
 }

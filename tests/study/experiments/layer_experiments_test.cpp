@@ -67,8 +67,8 @@ TEST_CASE("D-15: facing, 1 - 1/m^2 of a wall are holes with a pixel a sample, no
 TEST_CASE("D-16: the order of visits shows what depth shows, unless things are seen smaller") {
   for (const Configuration& c : d16_layer_order().configurations(Effort::kQuick)) {
     INFO(c.series << ", " << c.scene << " at " << c.parameter);
-    const bool by_depth = c.series == "the nearest, by depth";
-    const bool in_order = c.series == "the last, in an order for this eye";
+    const bool by_depth = c.series == "the nearest sample, by depth";
+    const bool in_order = c.series == "the last sample, in McMillan's order for this eye";
     const bool is_exact = by_depth || (in_order && c.scene != "back, a thin slab");
     CHECK((c.error() == 0) == is_exact);
   }

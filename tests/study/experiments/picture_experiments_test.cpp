@@ -57,7 +57,7 @@ TEST_CASE(
 TEST_CASE("D-9: only the test that knows nothing of the snap throws fronts away") {
   const auto all = check_experiment(d09_culling());
   for (const char* safe :
-       {"none", "snapped area", "cluster cones", "filter, exact fallback, margin"})
+       {"none", "snapped area", "cluster cones", "filter, exact sum where needed, margin"})
     CHECK(largest_error(all, safe) == 0);
   CHECK(largest_error(all, "object-space dot product, float") > 0);
 }
@@ -66,7 +66,7 @@ TEST_CASE("D-9: a filter decides as expansions do, or lets them decide") {
   const auto all = check_experiment(d09_culling());
   // In float: eight roundings of 2^-24 of terms that are no smaller than their sum. In double: the
   // same with 2^-53, 2^29 times less.
-  for (const char* scene : {"teapot", "ellipsoid", "ellipsoid as if scanned"}) {
+  for (const char* scene : {"teapot", "ellipsoid", "ellipsoid with the triangle sizes of a scan"}) {
     const double in_float = largest_error(all, "filter in float", scene, "exact fallbacks"),
                  in_double = largest_error(all, "filter in double", scene, "exact fallbacks");
     INFO(scene);

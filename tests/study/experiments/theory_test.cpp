@@ -126,7 +126,8 @@ TEST_CASE("the float vertex stage's error grows with the offset, exponent 1 (D-1
 
 TEST_CASE("subtracting the eye first, or composing in double, keeps the error flat (D-1)") {
   for (const char* series :
-       {"float, relative to the camera", "composed in double, then float", "32.32 fixed point"}) {
+       {"float, coordinates relative to the camera",
+        "matrices composed in double, vertices in float", "32.32 fixed point"}) {
     CAPTURE(series);
     const auto samples = curve(d01_vertex_stage(), series);
     for (const Sample& s : samples) {
@@ -141,7 +142,7 @@ TEST_CASE("subtracting the eye first, or composing in double, keeps the error fl
 // of two.
 TEST_CASE(
     "the near plane moves no vertex on the screen, and the depth's error goes as 1/near (D-1)") {
-  for (const char* series : {"float", "composed in double, then float", "double"}) {
+  for (const char* series : {"float", "matrices composed in double, vertices in float", "double"}) {
     CAPTURE(series);
     const auto place = curve(d01_vertex_stage(), series, {}, "near plane moved");
     for (const Sample& s : place) CHECK(s.y == place.front().y);
@@ -285,7 +286,8 @@ TEST_CASE("noise over bend at one corner, noise alone for Newell (D-8, C-21)") {
   const auto cross = fit_power_law(
       between(curve(d08_normals(), "cross product at the first corner", scene), 1e-3, 1));
   CHECK(std::abs(cross.exponent + 1) < 0.03);
-  const auto newell = fit_power_law(curve(d08_normals(), "Newell, from the first corner", scene));
+  const auto newell =
+      fit_power_law(curve(d08_normals(), "Newell, relative to the first corner", scene));
   CHECK(std::abs(newell.exponent) < 0.01);
 }
 

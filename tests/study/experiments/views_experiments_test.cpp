@@ -77,15 +77,15 @@ TEST_CASE(
     const auto at = [&](const char* series, const char* scene) {
       return error_at(all, series, scene, degrees);
     };
-    const double best = at("Hartley-Sturm", "both as far away");
+    const double best = at("Hartley-Sturm", "both cameras equally far away");
     for (const char* series : {"midpoint", "linear", "linear, normalised", "Lindstrom"}) {
       INFO(series << " at " << degrees);
-      CHECK(std::abs(at(series, "both as far away") / best - 1) < 0.03);
+      CHECK(std::abs(at(series, "both cameras equally far away") / best - 1) < 0.03);
     }
-    const double nearer = at("Hartley-Sturm", "one six times nearer");
-    CHECK(std::abs(at("Lindstrom", "one six times nearer") / nearer - 1) < 1e-3);
+    const double nearer = at("Hartley-Sturm", "one camera six times nearer");
+    CHECK(std::abs(at("Lindstrom", "one camera six times nearer") / nearer - 1) < 1e-3);
     if (degrees >= 60) {
-      CHECK(at("midpoint", "one six times nearer") > 1.05 * nearer);
+      CHECK(at("midpoint", "one camera six times nearer") > 1.05 * nearer);
     }
   }
 }
@@ -157,7 +157,7 @@ TEST_CASE(
 TEST_CASE("only the fifteen cases leave holes; tetrahedra take three times the triangles (D-25)") {
   const auto all = measure(d25_surfaces());
   for (const Sample& holes : series_of(all, "fifteen cases", "holes")) CHECK(holes.y > 0);
-  const double cubes = error_at(all, "one rule for each face", "sphere", 6, "triangles");
+  const double cubes = error_at(all, "one rule for every ambiguous face", "sphere", 6, "triangles");
   const double tetrahedra = error_at(all, "six tetrahedra", "sphere", 6, "triangles");
   CHECK(tetrahedra / cubes > 2.7);
   CHECK(tetrahedra / cubes < 3.2);
