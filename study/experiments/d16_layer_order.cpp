@@ -231,8 +231,8 @@ Experiment d16_layer_order() {
           "least one pixel apart in the first, which is impossible if objects look as large or "
           "larger. If they look half as large, four pixels fall on one, and the last of them is "
           "the nearest in only one of four cases. In the order of the file the farthest sample "
-          "stays wherever two samples fall on one pixel, on the left side for an eye that moves to "
-          "the right, and in the upper half for an eye that moves forward; this happens for the "
+          "stays wherever two samples fall on one pixel, everywhere in the picture if the eye "
+          "moves to the left, and above the epipole if it moves forward; this happens for the "
           "fraction 1 - m e^-m/(1 - e^-m), with m samples on average (Poisson)",
       .item = "sample",
       .configurations = configurations};

@@ -96,10 +96,10 @@ Experiment d19_coarse_to_fine() {
       .error = "fraction of the coloured voxels that are lost",
       .reference = "a sweep through all voxels",
       .theory =
-          "The examined voxels are those of cells of two voxels around a surface with the ball's "
-          "area, three cells deep. This is O(N^2) of all N^3 voxels if there are N along each "
-          "axis. No formula predicts the loss: thin parts are lost, and corners that coarse pixels "
-          "blur",
+          "The examined voxels are the ones in a shell around the ball's surface that is three "
+          "cells of two voxels thick; the cameras see about two thirds of it. This is O(N^2) of "
+          "all N^3 voxels if there are N along each axis. No formula predicts the loss: thin parts "
+          "are lost, and corners that coarse pixels blur",
       .item = "voxel",
       .axis_is_chosen = true,
       .measures = {{.name = "judged",
