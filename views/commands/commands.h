@@ -7,7 +7,7 @@
 namespace glassbox::views {
 
 inline constexpr CommandName kCommands[] = {
-    {"views", "what pictures of a scene show: cameras, depth, layers, shape, colours"},
+    {"views", "find out from pictures of a scene: cameras, depth, layers, shape, colours"},
 };
 
 void add_commands(CLI::App& app, int& exit_code);

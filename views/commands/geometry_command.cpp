@@ -150,8 +150,8 @@ void ViewsGeometryCommand::add_output_options(CLI::App& command) {
 void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
   CLI::App& command = *views.add_subcommand(
       "geometry",
-      "two cameras from matching points of their pictures: fundamental matrix F, "
-      "essential matrix E, rotation R, translation T, epipolar lines");
+      "find two cameras from matching points of their pictures: fundamental matrix F, essential "
+      "matrix E, rotation R, translation T, epipolar lines");
   command.footer(
       "Examples:\n"
       "  glassbox views geometry --scene room --eye-separation 0.3\n"
@@ -176,8 +176,8 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
           ->group(group));
   options_.push_back(command
                          .add_option("--cameras", files_.cameras,
-                                     "the cameras of the pictures: their K is used; their R and t "
-                                     "are only the truth to compare with")
+                                     "a file with the cameras of the pictures: their matrices K "
+                                     "are used, and the result is compared with their R and t")
                          ->type_name("FILE")
                          ->group(group));
   add_geometry_scene_options(command, scene_);
@@ -217,13 +217,13 @@ Result<void> ViewsGeometryCommand::check_request() const {
   constexpr double kMost = 1000;
   if (!(request_.sigma > 0 && request_.sigma <= kMost)) {
     return fail("--sigma",
-                fmt::format("{:g} px is not a possible standard deviation", request_.sigma),
+                fmt::format("{:g} px is not possible as a standard deviation", request_.sigma),
                 fmt::format("give more than 0, and at most {:g}", kMost));
   }
   if (const double threshold = request_.threshold.value_or(1);
       !(threshold > 0 && threshold <= kMost)) {
     return fail("--threshold",
-                fmt::format("{:g} px is not a possible distance of an inlier", threshold),
+                fmt::format("{:g} px is not possible as the distance of an inlier", threshold),
                 fmt::format("give more than 0, and at most {:g}", kMost));
   }
   if (!(request_.confidence > 0 && request_.confidence < 1)) {
@@ -242,10 +242,13 @@ Result<void> ViewsGeometryCommand::check_outputs() const {
   if (page_) {
     if (const auto legal = check_extension(*page_, ".html"); !legal) return legal;
     if (!scene_.scene && !files_.has_pair())
-      return fail("--draw", "there are no pictures to draw on", "add --pair");
+      return fail("--draw", "the page needs the two pictures, but they are not given",
+                  "add --pair");
   }
   if (!rectified_output_.first.empty() && !scene_.scene && !files_.has_pair()) {
-    return fail("--rectified-out", "there are no pictures to rectify", "add --pair");
+    return fail("--rectified-out",
+                "the two pictures are needed to rectify them, but they are not given",
+                "add --pair");
   }
   Outputs outputs;
   outputs.data(matches_output_).file(cameras_output_).data(json_output_).file(page_);
@@ -307,10 +310,10 @@ Result<std::optional<RectifiedPair>> ViewsGeometryCommand::rectified_pair(
   if (rectified_output_.first.empty()) return std::nullopt;
   const auto& pose = report.analysis.pose;
   if (!pose || !input.intrinsics) {
-    return fail("--rectified-out",
-                "the cameras were not found, so the pictures cannot be rectified",
-                input.intrinsics ? "leave it out; the report says why there are no cameras"
-                                 : "give --cameras, or leave it out");
+    return fail(
+        "--rectified-out", "the cameras were not found, so the pictures cannot be rectified",
+        input.intrinsics ? "leave this option out; the report says why no cameras were found"
+                         : "give --cameras, or leave this option out");
   }
   const auto& pictures = *input.pictures;
   auto pair =

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 Result<void> check_pictures(const GeometryInput& input) {
   if (!input.pictures) {
-    return fail("--draw", "there are no pictures to draw on", "add --pair");
+    return fail("--draw", "the page needs the two pictures, but they are not given", "add --pair");
   }
   constexpr std::int64_t kMaxPixels = std::int64_t(1) << 23;  // 3840 x 2160 fits
   const Image<Rgba8>& left = input.pictures->front();

@@ -122,18 +122,19 @@ void leave_out_geometry(const GeometryReport& report, std::vector<OmittedItem>& 
   switch (report.analysis.classification.kind) {
     case PairKind::kPureRotation:
       out.push_back({"F, E, T, epipoles",
-                     "one point of view: a rotation alone explains the matches, E is 0, and any "
-                     "direction of T would fit (C-101)"});
+                     "both pictures are from one point of view: a rotation alone explains the "
+                     "matches, E is 0, and any direction of T would fit (C-101)"});
       break;
     case PairKind::kPlane:
-      out.push_back({"F, E, R, T, epipoles",
-                     "a plane: one homography explains the matches, and a family of F with two "
-                     "parameters fits them (C-102); --estimator 5 with known cameras decides"});
+      out.push_back(
+          {"F, E, R, T, epipoles",
+           "all points are on a plane: one homography explains the matches, and a family of F with "
+           "two parameters fits them (C-102); with known cameras --estimator 5 can still find E"});
       break;
     case PairKind::kCritical:
       out.push_back({"F, E, R, T, epipoles",
-                     "a critical surface: a second constraint fits as well, as for points and "
-                     "centres on a ruled quadric (C-103)"});
+                     "the points are on a critical surface: a second F fits as well, as for points "
+                     "and camera centres on a ruled quadric (C-103)"});
       break;
     case PairKind::kGeneral:
       break;
@@ -154,9 +155,10 @@ void leave_out_of_truth(const GeometryInput& input, const GeometryReport& report
   out.push_back({"|T|", "pictures do not show how far apart the cameras are: T has length 1"});
   const int behind = report.analysis.inliers - report.analysis.in_front;
   if (behind > 0) {
-    out.push_back({fmt::format("{} inliers not in front of both cameras", behind),
-                   "their rays meet behind a camera or nowhere, because they are too far away for "
-                   "their noise"});
+    out.push_back(
+        {"the 3D points of " + counted(behind, "inlier") + " not in front of both cameras",
+         "their lines of sight meet behind a camera or nowhere, because the points are too far "
+         "away for the noise of their pixels"});
   }
   if (input.truth && !report.errors->direction_degrees) {
     out.push_back({"the direction's error", "the cameras are in one place"});
@@ -187,13 +189,14 @@ std::vector<OmittedItem> omitted_items(const GeometryInput& input, const Geometr
   const int off = int(input.matches.size()) - report.analysis.inliers;
   if (off > 0) {
     out.push_back({fmt::format("{} matches", off),
-                   fmt::format("outliers, farther than {:g} px from what the inliers agree on",
+                   fmt::format("outliers, whose distance from the estimate is above {:g} px",
                                report.request.ransac.threshold)});
   }
   if (const int count = count_outside(input); count > 0) {
     out.push_back(
-        {"no match for its place",
-         fmt::format("{} have a point outside its picture, where noise may have moved it", count)});
+        {"a check that all points are inside their pictures",
+         fmt::format("{} have a point outside, where noise may have moved it, and are used too",
+                     count)});
   }
   return out;
 }

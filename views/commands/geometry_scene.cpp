@@ -180,7 +180,7 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
   constexpr int kMaxMatches = 100'000;
   constexpr double kMaxNoise = 1000;
   if (!(noise >= 0 && noise <= kMaxNoise)) {
-    return fail("--noise", fmt::format("{:g} px is not a possible standard deviation", noise),
+    return fail("--noise", fmt::format("{:g} px is not possible as a standard deviation", noise),
                 fmt::format("give 0 to {:g}", kMaxNoise));
   }
   if (!(outliers >= 0 && outliers < 1)) {
@@ -197,10 +197,11 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
   }
   const bool is_arbitrary = scene.chosen() == Arrangement::kArbitrary;
   if (!is_arbitrary && (scene.move || scene.turn)) {
-    return fail(scene.move ? "--move" : "--turn",
-                fmt::format("the cameras of a {} pair are placed by --eye-separation and --window",
-                            name_of(scene.chosen())),
-                "leave it out, or give --arrangement arbitrary");
+    return fail(
+        scene.move ? "--move" : "--turn",
+        fmt::format("with --arrangement {}, --eye-separation and --window place the cameras",
+                    name_of(scene.chosen())),
+        "leave this option out, or give --arrangement arbitrary");
   }
   if (is_arbitrary && !scene.move && !scene.turn) {
     return fail("--arrangement", "the position of the second camera is not given",
@@ -209,13 +210,14 @@ Result<void> check_geometry_scene(const GeometryScene& scene) {
   const EyesOptions& eyes = scene.picture.eyes;
   if (is_arbitrary && (eyes.separation || eyes.window)) {
     return fail(eyes.separation ? "--eye-separation" : "--window",
-                "the cameras of an arbitrary pair are placed by --move and --turn", "leave it out");
+                "with --arrangement arbitrary, --move and --turn place the cameras",
+                "leave it out");
   }
   if (is_arbitrary && scene.turn) {
     for (const double degrees : *scene.turn) {
       constexpr double kMaxTurnDegrees = 360;
       if (!(std::abs(degrees) <= kMaxTurnDegrees))
-        return fail("--turn", fmt::format("{:g} degrees are more than a full turn", degrees),
+        return fail("--turn", fmt::format("{:g} degrees is more than a full turn", degrees),
                     "give -360 to 360");
     }
   }

@@ -72,10 +72,10 @@ std::string estimation_lines(const GeometryReport& report) {
   const auto& system = analysis.system;
   const auto& classification = analysis.classification;
   const bool is_undecided = analysis.why_no_model && analysis.samples == 0;
-  std::string text =
-      heading("samples", is_undecided ? "no sample determines the cameras; all matches are tested"
-                                      : fmt::format("{} drawn, {}; {}", analysis.samples,
-                                                    name_of(request.estimator), law_text(report)));
+  std::string text = heading(
+      "samples", is_undecided ? "no sample determines the cameras; all matches are tested together"
+                              : fmt::format("{} drawn, {}; {}", analysis.samples,
+                                            name_of(request.estimator), law_text(report)));
   std::string planted;
   if (const auto& facts = report.outliers; facts && facts->planted > 0) {
     planted = fmt::format("; {} outliers among them by chance, {} true matches rejected",
@@ -160,7 +160,7 @@ std::string kind_sentence(views::PairKind kind) {
     case views::PairKind::kPlane:
       return "of a plane: one homography explains the matches";
     case views::PairKind::kCritical:
-      return "of a critical surface: two constraints explain the matches";
+      return "of a critical surface: two matrices F explain the matches";
   }
   return "";
 }

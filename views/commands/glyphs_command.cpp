@@ -159,17 +159,17 @@ void ViewsGlyphsCommand::add_rules(CLI::App& command) {
           [this](const std::vector<std::string>& names) {
             for (const std::string& name : names) leave_out(name);
           },
-          "rules for glyphs that are not applied: " + rule_names())
+          "rules that a glyph need not fulfil: " + rule_names())
       ->delimiter(',')
       ->type_name("RULE[,RULE...]");
   command.add_flag_callback(
       "--no-balance", [this] { settings_.balances = false; },
-      "use colours as they are, without balancing them by the paper around each glyph");
+      "use colours as they are, without correcting them by the white paper around each glyph");
 }
 
 void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
-  CLI::App& command =
-      *views.add_subcommand("glyphs", "walls of coloured discs, and the camera from them");
+  CLI::App& command = *views.add_subcommand(
+      "glyphs", "make walls of coloured discs, and find the camera from a picture of one");
   command.footer(
       "Examples:\n"
       "  glassbox views glyphs sheet -o wall.glb\n"
@@ -181,8 +181,8 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
       "docs/glyphs.md has more.");
   command.require_subcommand(1);
 
-  CLI::App& sheet =
-      *command.add_subcommand("sheet", "the wall: a scene for render, or a panel to be printed");
+  CLI::App& sheet = *command.add_subcommand(
+      "sheet", "make a wall: a scene for render, or the picture of a panel to print");
   sheet.footer(
       "Examples:\n"
       "  glassbox views glyphs sheet -o wall.glb\n"
@@ -198,7 +198,8 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
   add_json_output(sheet, json_output_, "the table of glyphs");
   sheet.callback([this, &exit_code] { exit_code = this->sheet(); });
 
-  CLI::App& find = *command.add_subcommand("find", "glyphs in a picture, and its camera");
+  CLI::App& find =
+      *command.add_subcommand("find", "find the glyphs in a picture, and the picture's camera");
   find.footer(
       "Examples:\n"
       "  glassbox views glyphs find photo.png\n"
@@ -214,8 +215,8 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
   add_choice<KnownIntrinsics>(
       find, "--lens", known_,
       {{"centre", KnownIntrinsics::kCentre}, {"square", KnownIntrinsics::kSquare}},
-      "what is known of the lens if --fov is not given: its axis is in the middle of the picture, "
-      "or only that pixels are square [centre]");
+      "what is assumed about the lens if --fov is not given: centre: its axis meets the middle of "
+      "the picture; square: only that pixels are square [centre]");
   find.add_option("--against", against_,
                   "compare the camera that is found with the true one in this file of cameras")
       ->type_name("FILE");
@@ -224,12 +225,13 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
   const auto all = find.get_options();
   options_.assign(all.begin() + std::ptrdiff_t(before), all.end());
   add_html_output(find, page_,
-                  "a page with the picture, what was found in it, and why the rest was left out");
+                  "a page with the picture, the glyphs that were found in it, and why other "
+                  "regions were left out");
   add_json_output(find, json_output_);
   find.callback([this, &exit_code] { exit_code = this->find(); });
 
   CLI::App& sweep =
-      *command.add_subcommand("sweep", "how well glyphs are found as pictures get worse");
+      *command.add_subcommand("sweep", "measure how well glyphs are found as pictures get worse");
   sweep.footer(
       "Examples:\n"
       "  glassbox views glyphs sweep rules\n"
@@ -243,7 +245,7 @@ void ViewsGlyphsCommand::add_to(CLI::App& views, int& exit_code) {
       choices_of({SweepVariable::kSize, SweepVariable::kBlur, SweepVariable::kOcclusion,
                   SweepVariable::kTilt, SweepVariable::kJpeg, SweepVariable::kBalance,
                   SweepVariable::kCamera, SweepVariable::kThreshold, SweepVariable::kRules}),
-      "what gets worse from picture to picture")
+      "what makes the pictures worse, step by step")
       ->required();
   add_rules(sweep);
   add_json_output(sweep, json_output_);
@@ -256,7 +258,7 @@ int ViewsGlyphsCommand::sheet() {
     if (const auto good = check_image_path(output_); !good)
       return refuse({output_,
                      {},
-                     "is the name of neither a scene nor a picture that can be written",
+                     "is neither the name of a .glb scene nor that of a .png picture",
                      "name it .glb or .png"});
   }
   if (const auto good = Outputs().file(output_).data(json_output_).check(); !good)
@@ -288,7 +290,7 @@ int ViewsGlyphsCommand::sheet() {
   if (json_output_ == "-") return kSuccess;
   const views::WallPanel& panel = wall->panels.front();
   fmt::print(
-      "{}: {} glyphs of {:.6g} mm, {} of {:.6g} x {:.6g} mm, {:.6g} px per inch\n",
+      "{}: {} glyphs with a diameter of {:.6g} mm, {} of {:.6g} x {:.6g} mm, {:.6g} px per inch\n",
       printable(output_, kLongestMessage),
       is_scene ? wall->glyphs.size() : std::size_t(layout_.columns * layout_.rows),
       1000 * layout_.diameter,

@@ -63,7 +63,7 @@ std::string glyphs_text(const GlyphsReport& report) {
     text += "no camera: " + printable(report.no_pose, kLongestMessage) + "\n";
   }
   if (report.error)
-    text += fmt::format("differs from the true camera by {:.4f} degrees and {:.3f} mm\n",
+    text += fmt::format("This camera differs from the true one by {:.4f} degrees and {:.3f} mm.\n",
                         report.error->degrees, 1000 * report.error->distance);
   if (report.score) {
     text +=

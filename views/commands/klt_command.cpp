@@ -88,8 +88,9 @@ Image<Rgba8> picture_of(const views::Bands& components, const views::Klt& klt, i
 }  // namespace
 
 void ViewsKltCommand::add_to(CLI::App& views, int& exit_code) {
-  CLI::App& command = *views.add_subcommand(
-      "klt", "principal components of pictures: the directions in which their bands vary most");
+  CLI::App& command = *views.add_subcommand("klt",
+                                            "compute the principal components of pictures: the "
+                                            "directions in which their bands vary most");
   command.footer(
       "Examples:\n"
       "  glassbox views klt clouds\n"

@@ -105,8 +105,8 @@ std::string klt_text(const KltInput& input, const KltReport& report) {
     const int size = group_size(report, i);
     if (size < 2) continue;
     text += fmt::format(
-        "Components {} to {} have equal eigenvalues: only the space that they span is "
-        "determined.\n",
+        "Components {} to {} have equal eigenvalues: only the space that they span is determined, "
+        "not each component.\n",
         i + 1, i + size);
   }
   if (report.truth) {

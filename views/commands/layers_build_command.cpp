@@ -183,20 +183,24 @@ Result<void> LayersBuildCommand::check_sources() const {
   if (const auto good = check_rays(); !good) return good;
   if (!pictures_) {
     if (epsilon_ && !views_ && !rays_)
-      return fail("--epsilon", "with a single view nothing is merged",
-                  "give --views, or leave it out");
+      return fail("--epsilon",
+                  "this option merges the samples of several views, but there is only one view",
+                  "give --views, or leave this option out");
     return {};
   }
   if (views_)
-    return fail("--views", "these cameras need a scene to look at",
-                "name a scene, or leave it out");
+    return fail("--views", "these cameras look at a scene, but none is given",
+                "name a scene, or leave this option out");
   if (layers_)
-    return fail("--layers", "--pictures has one distance for each pixel", "leave it out");
+    return fail("--layers",
+                "with --pictures each pixel has only one distance, so there is one layer",
+                "leave it out");
   if (normals_ || ids_)
-    return fail(normals_ ? "--normals" : "--ids", "--pictures does not contain surfaces",
-                "name a scene, or leave it out");
+    return fail(normals_ ? "--normals" : "--ids",
+                "pictures contain no surfaces, from which normals or triangles would come",
+                "name a scene, or leave this option out");
   if (const auto words = given_option_words(picture_); !words.empty())
-    return fail(words.front(), "this option is for drawing a scene, but none is drawn",
+    return fail(words.front(), "this option is for drawing a scene, but --pictures draws none",
                 "leave it out");
   return {};
 }
@@ -205,20 +209,22 @@ Result<void> LayersBuildCommand::check_rays() const {
   if (!rays_) {
     if (cube_ || threads_)
       return fail(cube_ ? "--cube" : "--threads", "no rays are cast",
-                  "give --rays, or leave it out");
+                  "give --rays, or leave this option out");
     return {};
   }
-  if (pictures_) return fail("--rays", "rays need a scene that they can hit", "name a scene");
+  if (pictures_) return fail("--rays", "the rays need a scene, but none is given", "name a scene");
   if (views_ || layers_)
     return fail(views_ ? "--views" : "--layers",
-                "this option is for peeling, but with --rays nothing is peeled",
-                "leave one of the two out");
+                "this option is for peeling the scene, but --rays casts rays instead",
+                "leave out one of the two options");
   if (cube_ && !(*cube_ > 0 && std::isfinite(*cube_)))
     return fail("--cube", fmt::format("{:g} is not a possible width", *cube_),
                 "give a number above 0");
   if (const Shading shading = picture_.settings.shading;
       shading == Shading::kFlat || shading == Shading::kGouraud)
-    return fail("--shade", "with --rays each point that a ray hits is lit by itself",
+    return fail("--shade",
+                "with --rays each point that a ray hits is lit separately, so there is no flat or "
+                "Gouraud shading",
                 "give phong or unlit");
   return {};
 }
@@ -228,7 +234,9 @@ Result<void> LayersBuildCommand::check_options(const Scene& scene) const {
   if (settings.wireframe)
     return fail("--wireframe", "layers store surfaces, not lines", "leave it out");
   if (settings.samples > 1)
-    return fail("--samples", "each pixel of a layer has only one depth", "leave it out");
+    return fail("--samples",
+                "each pixel of a layer has only one depth, so it cannot have several samples",
+                "leave it out");
   if (settings.show != Show::kColor) return fail("--show", "layers store colours", "leave it out");
   if (const Material* glass = views::transparent_material(scene))
     return fail(
@@ -337,11 +345,11 @@ LayersBuildCommand::BuiltLayers LayersBuildCommand::build_by_rays(const Scene& s
                                               wanted_attributes())};
   built.left_out.emplace_back(
       "the position of a hit inside its pixel, up to half a pixel, and all but one of the hits "
-      "that\n"
-      "    share a pixel and a depth (--epsilon)");
-  built.left_out.emplace_back("what no ray has hit, and lines and points, which no ray can hit");
+      "that\n    share a pixel and a depth (--epsilon)");
+  built.left_out.emplace_back(
+      "surfaces that no ray has hit, and lines and points, which no ray can hit");
   if (sampling.half_side > view.near)
-    built.left_out.emplace_back("what is in front of the cube's front face (--cube)");
+    built.left_out.emplace_back("surfaces in front of the cube's front face (--cube)");
   return built;
 }
 

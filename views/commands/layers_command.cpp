@@ -6,8 +6,9 @@
 namespace glassbox::views {
 
 void add_layers_command(CLI::App& views, int& exit_code) {
-  CLI::App& command = *views.add_subcommand(
-      "layers", "layered depth images: several surfaces at each pixel, warped to other views");
+  CLI::App& command = *views.add_subcommand("layers",
+                                            "make layered depth images, which have several "
+                                            "surfaces at each pixel, and warp them to other views");
   command.footer(
       "Examples:\n"
       "  glassbox views layers build room --size 300x300 -o room.ldi\n"

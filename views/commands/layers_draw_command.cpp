@@ -102,8 +102,8 @@ void LayersDrawCommand::add_to(CLI::App& layers, int& exit_code) {
       ->type_name("WxH");
   add_choice(command, "--order", drawing_.order,
              {{"depth", views::LayerOrder::kDepth}, {"occlusion", views::LayerOrder::kOcclusion}},
-             "which sample stays at a pixel: the nearest one, or the last one in McMillan's order "
-             "from back to front [depth]");
+             "which sample is seen at a pixel: depth: the nearest one; occlusion: the last one in "
+             "McMillan's order from back to front [depth]");
   add_choice(command, "--splat", drawing_.splat,
              {{"point", views::Splat::kPoint},
               {"three", views::Splat::kThree},
@@ -145,8 +145,8 @@ Result<void> LayersDrawCommand::check_options() const {
   if (!output_ && !page_) return fail("-o", "no output is given", "name a picture, or give --html");
   if (drawing_.splat == views::Splat::kSoft && drawing_.order == views::LayerOrder::kDepth)
     return fail("--splat soft",
-                "soft splats have transparent rims, so they must be drawn from back to front, "
-                "which --order depth does not do",
+                "soft splats have transparent rims, so they must be drawn from back to front, but "
+                "--order depth draws in any order",
                 "give --order occlusion");
   if (frames_.requests_sequence()) {
     PictureOptions picture;

@@ -200,8 +200,9 @@ void ViewsMatchCommand::add_output_options(CLI::App& command) {
 }
 
 void ViewsMatchCommand::add_to(CLI::App& views, int& exit_code) {
-  CLI::App& command =
-      *views.add_subcommand("match", "the disparity of every pixel of two pictures, and its error");
+  CLI::App& command = *views.add_subcommand(
+      "match",
+      "find the disparity of every pixel of two pictures, and its error if the truth is known");
   command.footer(
       "Examples:\n"
       "  glassbox views match --scene room --eye-separation 0.2 -o disparity.pfm\n"
@@ -251,7 +252,8 @@ Result<void> ViewsMatchCommand::check_sources() const {
                 "leave out the files, --truth and --cameras, or --scene");
   }
   if (given.scene && given.picture.eyes.seen_by) {
-    return fail("--seen-by", "both eyes' pictures are matched", "leave it out");
+    return fail("--seen-by", "the pictures of both eyes are matched, so one eye cannot be chosen",
+                "leave it out");
   }
   if (given.scene) return {};
   if (!given.left || !given.right) {
@@ -282,19 +284,20 @@ Result<void> ViewsMatchCommand::check_sources() const {
 Result<void> ViewsMatchCommand::check_rectified() const {
   const bool is_asked = !rectified_output_.first.empty();
   if (!sources_.cameras) {
-    return is_asked ? fail("--rectified-out", "pictures are rectified by their cameras",
-                           "give --cameras, or leave it out")
+    return is_asked ? fail("--rectified-out",
+                           "the pictures are rectified with their cameras, which are not given",
+                           "give --cameras, or leave this option out")
                     : Result<void>();
   }
   if (sources_.truth) {
     return fail("--truth",
                 "the truth belongs to the pictures as they are, but --cameras rectifies them",
-                "leave one of the two out");
+                "leave out one of the two options");
   }
   if (calibration_) {
     return fail("--calibration",
                 "--cameras already gives the calibration of the rectified pictures",
-                "leave one of the two out");
+                "leave out one of the two options");
   }
   return {};
 }

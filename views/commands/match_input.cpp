@@ -86,12 +86,13 @@ Result<MatchInput> read_files(const MatchSources& sources) {
     if (!truth) return tl::unexpected(truth.error());
     input.truth = views::StereoTruth{*truth, views::visible_by_reprojection(*truth)};
     input.visible_by =
-        "if the truth maps two pixels to one of the right picture, only the nearer is visible";
+        "from the left truth: if it maps two pixels to one of the right picture, only the nearer "
+        "one counts as visible";
     if (sources.truth_right) {
       const auto other = read_truth(*sources.truth_right, scale, *left);
       if (!other) return tl::unexpected(other.error());
       input.truth->is_visible = views::visible_by_right_truth(*truth, *other);
-      input.visible_by = "where both truths agree to within a pixel";
+      input.visible_by = "a pixel counts as visible where both truths agree to within a pixel";
     }
   }
   input.left = std::move(*left);
@@ -123,7 +124,7 @@ Result<MatchInput> draw_scene(const MatchSources& sources, Progress& progress) {
   input.is_textured = std::move(pair->is_textured);
   // If both eyes are at the same position, depth cannot be computed.
   if (views::check_calibration(pair->calibration)) input.calibration = pair->calibration;
-  input.visible_by = "by the right picture's own distances";
+  input.visible_by = "a pixel counts as visible if the distances of the right picture agree";
   return input;
 }
 

@@ -73,13 +73,13 @@ std::vector<OmittedItem> omitted_items(const MatchInput& input,
   }
   if (settings.planes == 0) {
     out.push_back({"slanted surfaces",
-                   "a pixel's disparity is found as if its surroundings had the same depth: "
+                   "a pixel's disparity is found as if the surface around it faced the camera: "
                    "--planes 1 allows slanted planes, but takes longer"});
   }
   if (views::sweeps_once(settings)) {
-    out.push_back(
-        {"paths from below",
-         "a single sweep from above uses no cost volume: --method default has these paths"});
+    out.push_back({"paths from below",
+                   "the single sweep from above, which needs no cost volume, has no paths from "
+                   "below: --method default has them"});
   }
   const bool is_drawn = input.is_textured.has_value();
   if (!input.truth) {
@@ -94,8 +94,8 @@ std::vector<OmittedItem> omitted_items(const MatchInput& input,
                   : "the focal length and the baseline are not given: --calibration F,B,OFFSET"});
   }
   if (!is_drawn && !input.rectification) {
-    out.push_back({"a check that the rows are epipolar lines",
-                   "the pictures are taken for rectified: --cameras FILE rectifies them"});
+    out.push_back({"the check that corresponding points are on the same row",
+                   "the pictures are assumed to be rectified: --cameras FILE rectifies them"});
   }
   return out;
 }

@@ -50,22 +50,25 @@ void add_picture_choice(CLI::App& command, PictureChoice& choice) {
       .add_option_function<std::string>(
           "--pictures",
           [&choice](const std::string& text) { choice.chosen = parse_pictures(text); },
-          "the pictures to use, counted from 1 [all]")
+          "numbers of the pictures to use, counted from 1, such as 1-8,12 [all]")
       ->type_name("A-B,C")
       ->group(group);
   command
-      .add_option("--leave-out", choice.leave_out,
-                  "the picture, counted from 1, that is not used, but compared with the result")
+      .add_option(
+          "--leave-out", choice.leave_out,
+          "number of one picture, counted from 1, that is not used; the result is compared with it")
       ->type_name("N")
       ->group(group);
   command
-      .add_option("--matte-above", choice.matte_above,
-                  "the object is where any channel is brighter than this, 0 to 255 [the pictures "
-                  "in masks/, or alpha, show where the object is]")
+      .add_option(
+          "--matte-above", choice.matte_above,
+          "makes a mask from each picture: a pixel belongs to the object if one of its channels is "
+          "above this, 0 to 255 [masks come from the folder masks/, or from alpha]")
       ->type_name("LEVEL")
       ->check(CLI::Range(0, 255))
       ->group(group);
-  command.add_flag("--no-mattes", choice.no_mattes, "every pixel belongs to the object")
+  command
+      .add_flag("--no-mattes", choice.no_mattes, "use no masks: every pixel belongs to the object")
       ->group(group);
   command
       .add_option("--max-mb", choice.max_megabytes,

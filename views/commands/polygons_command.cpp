@@ -83,7 +83,8 @@ void ViewsPolygonsCommand::add_surface_options(CLI::App& command) {
   add_choice(command, "--order", request_.voxels.order,
              choices_of({views::ColoringOrder::kAuto, views::ColoringOrder::kSweep,
                          views::ColoringOrder::kCarve}),
-             "one sweep away from all cameras, or carving from all sides [as the cameras allow]")
+             "sweep: one sweep away from all cameras; carve: sweeps from all sides [sweep if the "
+             "cameras allow it]")
       ->group(group);
 
   group = "Polygons";
@@ -128,14 +129,15 @@ void ViewsPolygonsCommand::add_output_options(CLI::App& command) {
       ->type_name("FILE")
       ->group(group);
   add_json_output(command, json_output_)->group(group);
-  add_html_output(command, page_,
-                  "a page with the surface, which can be turned, and the picture that was left out")
+  add_html_output(
+      command, page_,
+      "a page with the surface in 3D, which you can turn, and the picture that was left out")
       ->group(group);
 }
 
 void ViewsPolygonsCommand::add_to(CLI::App& views, int& exit_code) {
   CLI::App& command = *views.add_subcommand(
-      "polygons", "a closed surface from calibrated pictures: polygon colouring");
+      "polygons", "make a closed surface from calibrated pictures (polygon colouring)");
   command.footer(
       "Examples:\n"
       "  glassbox views ring teapot -o ring\n"

@@ -121,7 +121,7 @@ Result<PolygonsReport> report_polygons(const PolygonsInput& input, const Polygon
     report.left_out = views::textured_picture_errors(*report.drawn, left_out);
   }
   if (input.truth) {
-    progress.phase("computing the inside of the scene");
+    progress.phase("computing which voxels are inside the scene");
     const views::TrueVolume truth(*input.truth, grid);
     report.iou_before = iou_of(solid, truth);
     report.iou = iou_of(report.coloring.solid, truth);
@@ -149,8 +149,8 @@ std::string polygons_text(const PolygonsInput& input, const PolygonsReport& repo
       coloring.milliseconds, coloring.samples, (report.bytes + (1u << 20) - 1) >> 20);
   if (report.left_out) text += left_out_text(input.pictures.left_out->name, *report.left_out);
   if (report.iou)
-    text +=
-        fmt::format("truth: IoU {:.4f}; before carving {:.4f}\n", *report.iou, *report.iou_before);
+    text += fmt::format("compared with the truth: IoU {:.4f}, and before carving {:.4f}\n",
+                        *report.iou, *report.iou_before);
   if (coloring.unseen > 0)
     text += fmt::format(
         "Left out: the pictures' colours of {} that no picture shows. Such a polygon has its "

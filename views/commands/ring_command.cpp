@@ -61,7 +61,7 @@ std::vector<std::string> names_of(const std::vector<views::RingView>& ring) {
 
 void ViewsRingCommand::add_to(CLI::App& views, int& exit_code) {
   CLI::App& command =
-      *views.add_subcommand("ring", "calibrated pictures of a scene, from all around it");
+      *views.add_subcommand("ring", "draw calibrated pictures of a scene from all around it");
   command.footer(
       "Examples:\n"
       "  glassbox views ring teapot -o ring\n"

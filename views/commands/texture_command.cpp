@@ -180,7 +180,8 @@ void ViewsTextureCommand::add_to(CLI::App& views, int& exit_code) {
       ->group(group);
   add_json_output(command, json_output_)->group(group);
   add_html_output(command, page_,
-                  "a page with the surface, which can be turned, and the pictures that colour it")
+                  "a page with the surface in 3D, which you can turn, and the pictures that give "
+                  "it its colours")
       ->group(group);
   command.callback([this, &exit_code] { exit_code = run(); });
 }

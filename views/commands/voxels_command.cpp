@@ -102,7 +102,8 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
   add_choice(command, "--order", request_.order,
              choices_of({views::ColoringOrder::kAuto, views::ColoringOrder::kSweep,
                          views::ColoringOrder::kCarve}),
-             "one sweep away from all cameras, or carving from all sides [as the cameras allow]")
+             "sweep: one sweep away from all cameras; carve: sweeps from all sides [sweep if the "
+             "cameras allow it]")
       ->group(group);
   command
       .add_option_function<std::string>(
@@ -123,16 +124,17 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       ->type_name("F")
       ->group(group);
   command
-      .add_flag("--against-full", against_full_,
-                "also test all voxels without coarser levels, and count those that --levels loses")
+      .add_flag(
+          "--against-full", against_full_,
+          "also colour all voxels without coarser levels, and count the voxels that --levels loses")
       ->group(group);
 
   group = "Consistency";
   add_choice(
       command, "--test", settings.consistency,
       choices_of({Consistency::kDeviation, Consistency::kLikelihood, Consistency::kAdaptive}),
-      "test whether pixels show one colour: sigma < T, a likelihood ratio, or sigma < k1 M + k2 "
-      "[sigma]")
+      "test of whether a voxel's pixels show one colour: sigma < T, a likelihood ratio, or sigma < "
+      "k1 M + k2 [sigma]")
       ->group(group);
   const auto add_value = [&](const char* name, double& value, const char* type, const char* help) {
     command.add_option(name, value, help)->type_name(type)->group(group);
@@ -144,14 +146,14 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
             "standard deviation of the pictures' noise for the likelihood ratio, in levels of 0 .. "
             "255 [6]");
   add_value("--significance", settings.significance, "P",
-            "share of good voxels that the likelihood ratio may reject [0.001]");
+            "share of voxels of one colour that the likelihood ratio may reject by chance [0.001]");
   add_value("--k1", settings.k1, "F",
             "k1 for --test adaptive: factor of M, the mean of the standard deviations within "
             "pictures [0.5]");
   add_value("--k2", settings.k2, "T", "k2 for --test adaptive, in levels of 0 .. 255 [8]");
   add_value("--edges", settings.edge, "S",
-            "voxels with at least this standard deviation within every picture are coloured "
-            "anyway; 0: none [0]");
+            "a voxel whose colours have at least this standard deviation within every picture "
+            "passes the test too, because it is at an edge; 0: no such voxels [0]");
   add_choice(command, "--space", settings.space,
              choices_of({views::ColorSpace::kRgb, views::ColorSpace::kLab}),
              "colour space of the comparison; lab: CIELab, with T in its units [rgb]")
@@ -170,7 +172,7 @@ void ViewsVoxelsCommand::add_coloring_options(CLI::App& command) {
       ->group(group);
   add_choice(command, "--update", settings.update,
              choices_of({views::OcclusionUpdate::kLayer, views::OcclusionUpdate::kVoxel}),
-             "when a coloured voxel hides pixels: after its layer or at once [layer]")
+             "when a coloured voxel begins to hide pixels: after its layer, or at once [layer]")
       ->group(group);
   add_choice(command, "--alone", settings.alone,
              choices_of({views::SingleViewPolicy::kReject, views::SingleViewPolicy::kKeep}),
@@ -201,14 +203,15 @@ void ViewsVoxelsCommand::add_output_options(CLI::App& command) {
       ->type_name("FILE")
       ->group(group);
   add_json_output(command, json_output_)->group(group);
-  add_html_output(command, page_,
-                  "a page with the voxels, which can be turned, and the reason why each is there")
+  add_html_output(
+      command, page_,
+      "a page with the voxels in 3D, which you can turn, and the reason why each voxel was kept")
       ->group(group);
 }
 
 void ViewsVoxelsCommand::add_to(CLI::App& views, int& exit_code) {
   CLI::App& command = *views.add_subcommand(
-      "voxels", "the shape of an object from calibrated pictures: voxel colouring");
+      "voxels", "find the shape of an object from calibrated pictures (voxel colouring)");
   command.footer(
       "Examples:\n"
       "  glassbox views ring teapot -o ring\n"
@@ -244,22 +247,24 @@ Result<void> ViewsVoxelsCommand::check_options() const {
                                                    {"--edges", settings.edge}};
   for (const auto& [option, value] : levels) {
     if (!(value >= 0))
-      return fail(option, "must be at least 0", "give levels of 0 .. 255; for --k1 a factor");
+      return fail(option, "it must be at least 0",
+                  "give a number of levels of 0 .. 255, or for --k1 a factor");
   }
   if (!(request_.slack >= 1))
     return fail("--slack", "the factor must be at least 1",
                 "give a factor such as 2, because coarse voxels mix more colours");
   if (!(settings.noise > 0 && std::isfinite(settings.noise)))
-    return fail("--noise", "noise must be more than 0 and finite",
+    return fail("--noise", "the noise must be above 0 and finite",
                 "give its standard deviation in levels");
   if (!(settings.significance > 0 && settings.significance < 1))
-    return fail("--significance", "must be between 0 and 1", "give a share such as 0.001");
+    return fail("--significance", "it must be between 0 and 1", "give a share such as 0.001");
   if (!(settings.lightness >= 0 && settings.lightness <= 2))
-    return fail("--lightness", "must be between 0 and 2", "give a weight such as 0.5");
+    return fail("--lightness", "it must be between 0 and 2", "give a weight such as 0.5");
   if (left_out_output_ && !choice_.leave_out)
     return fail("--left-out-output", "no picture is left out", "add --leave-out N");
   if (against_full_ && request_.levels == 0)
-    return fail("--against-full", "without --levels all voxels are tested anyway",
+    return fail("--against-full",
+                "without --levels there is nothing to compare, because all voxels are tested",
                 "add --levels 2");
   return check_choice(choice_);
 }

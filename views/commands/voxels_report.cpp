@@ -133,7 +133,7 @@ Result<VoxelsReport> report_voxels(const VoxelsInput& input, const views::Colori
   std::optional<views::TrueVolume> truth;
   std::optional<views::Overlap> overlap;
   if (input.truth) {
-    progress.phase("computing the inside of the scene");
+    progress.phase("computing which voxels are inside the scene");
     truth.emplace(*input.truth, *grid);
     overlap.emplace(*truth);
   }

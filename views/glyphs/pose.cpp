@@ -345,20 +345,22 @@ Result<PinholeCamera> camera_by_dlt(const std::vector<PointCorrespondence>& poin
   // The solution is determined up to a scale. Points in one plane leave three more degrees of
   // freedom, and then the last singular value but one is 0, too.
   if (!(svd.singularValues()[10] > 1e-10 * svd.singularValues()[0]))
-    return fail("the points", "they are in one plane, which does not determine the lens",
+    return fail("the points", "they are in one plane, from which the lens cannot be computed",
                 "give points of two planes, or give the lens");
   const Eigen::Matrix<double, 12, 1> entries = svd.matrixV().col(11);
   const Eigen::Matrix<double, 3, 4> there = entries.reshaped<Eigen::RowMajor>(3, 4);
   Eigen::Matrix<double, 3, 4> projection = from_pixels.inverse() * there * from_world;
   if (projection.leftCols<3>().determinant() < 0) projection = -projection;
   if (!(projection.leftCols<3>().determinant() > 0))
-    return fail("the points", "no camera sees the points at these places of the picture",
+    return fail("the points",
+                "no camera could be found that sees the points at these places of the picture",
                 "give more points, which are not all in one plane or on one line");
   PinholeCamera camera;
   decompose_projection(projection.leftCols<3>(), camera.intrinsic, camera.camera_from_world);
   camera.centre = -projection.leftCols<3>().inverse() * projection.col(3);
   if (!camera.intrinsic.allFinite() || !camera.centre.allFinite())
-    return fail("the points", "no camera sees the points at these places of the picture",
+    return fail("the points",
+                "no camera could be found that sees the points at these places of the picture",
                 "give more points, which are not all in one plane or on one line");
   return camera;
 }
@@ -388,7 +390,7 @@ Result<FoundPose> find_pose(const std::vector<PointCorrespondence>& points,
   constexpr double kFlat = 0.02;
   if (request.known != KnownIntrinsics::kAll && flatness(points) < kFlat) {
     return fail("the camera",
-                "all glyphs that are seen are in one plane, which does not determine the lens",
+                "all glyphs that are seen are in one plane, from which the lens cannot be computed",
                 "give the lens (--fov), or take a picture of both panels");
   }
   auto pose = Search(points, request).run();
@@ -396,7 +398,7 @@ Result<FoundPose> find_pose(const std::vector<PointCorrespondence>& points,
   if (!pose || std::size_t(pose->inliers) < enough) {
     return fail(
         "the camera",
-        fmt::format("only {} of {} glyphs agree on one camera", pose ? pose->inliers : 0,
+        fmt::format("only {} of {} glyphs agree with one camera", pose ? pose->inliers : 0,
                     points.size()),
         "check that the wall is the one that the options describe (--grid, --pitch, --first)");
   }

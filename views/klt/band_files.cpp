@@ -117,7 +117,7 @@ Result<void> check_planes(std::uint64_t width, std::uint64_t height, std::uint64
   if (bytes <= most_bytes) return {};
   constexpr double kMegabyte = 1 << 20;
   return fail("",
-              fmt::format("{} would take {:.3g} MB of memory, more than is allowed", what,
+              fmt::format("{} would need {:.3g} MB of memory, more than is allowed", what,
                           double(bytes) / kMegabyte),
               fmt::format("allow more memory with --max-mb {}", (bytes >> 20) + 1));
 }

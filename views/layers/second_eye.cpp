@@ -241,13 +241,13 @@ std::size_t SecondEye::warp(const LayerView& layer, const View& centre, const St
 Result<void> check_second_eye(const Scene& scene, const RenderSettings& settings, int layers) {
   const std::string option = "--second-eye";
   if (settings.show != Show::kColor)
-    return fail(option, "it warps colours from eye to eye, but not the output of --show",
+    return fail(option, "warping moves colours from eye to eye, but not the quantities of --show",
                 "leave one of the two options out");
   if (layers == 1) return {};
   if (settings.samples > 1)
     return fail(option,
                 "several layers cannot be used with --samples, because each pixel of a layer has "
-                "one depth only",
+                "only one depth",
                 "leave --samples out, or use warp:1");
   if (const Material* glass = transparent_material(scene))
     return fail(option,

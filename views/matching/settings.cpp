@@ -67,7 +67,7 @@ Result<void> check_settings(const MatchSettings& settings) {
                 "give 0, 2, 4, 8 or 16");
   }
   if (settings.adaptive < 0 || settings.adaptive > 4) {
-    return fail("--adaptive", fmt::format("{} rounds are not possible", settings.adaptive),
+    return fail("--adaptive", fmt::format("the number of rounds must not be {}", settings.adaptive),
                 "give 0 to 4");
   }
   if (settings.left_right && (*settings.left_right < 0 || *settings.left_right > kFarthest)) {
@@ -79,7 +79,7 @@ Result<void> check_settings(const MatchSettings& settings) {
                 "give 0 to 1");
   }
   if (settings.planes < 0 || settings.planes > 8) {
-    return fail("--planes", fmt::format("{} rounds are not possible", settings.planes),
+    return fail("--planes", fmt::format("the number of rounds must not be {}", settings.planes),
                 "give 0 to 8");
   }
   if (settings.speckle < 0) {

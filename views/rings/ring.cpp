@@ -35,7 +35,8 @@ Result<void> check_options(const RingOptions& options) {
     return fail("--distance", "the distance must be positive", "leave it out");
   if (options.pair_separation &&
       !(*options.pair_separation > 0 && std::isfinite(*options.pair_separation)))
-    return fail("--pairs", "the two cameras of a pair must be apart", "give a positive separation");
+    return fail("--pairs", "the distance between the two cameras of a pair must be above 0",
+                "give a positive separation");
   if (!std::isfinite(options.start_degrees) || std::abs(options.start_degrees) > kMaxStartDegrees)
     return fail(
         "--start",
@@ -146,8 +147,10 @@ Result<std::vector<RingView>> ring_views(const Scene& scene, const RingOptions& 
     radius = std::max(radius, (Vector3d(p.x, p.y, p.z) - target).norm());
   });
   if (!(radius > 0) || !std::isfinite(radius))
-    return fail("the scene", "it has nothing visible that a ring could go around",
-                "use another scene");
+    return fail(
+        "the scene",
+        "it has nothing visible, so there is no place that a ring of cameras could go around",
+        "use another scene");
   const Vector3d axis = options.up.normalized();
   const auto [first, second] = perpendicular_directions(axis);
   const double distance = options.distance.value_or(

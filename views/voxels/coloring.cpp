@@ -98,11 +98,12 @@ Result<void> check_request(const PictureSet& set, const ColoringRequest& request
     return fail("--levels", fmt::format("the number of coarser levels must be 0 to {}", kMaxLevels),
                 "give 2");
   if (plan.order == ColoringOrder::kCarve && (request.levels > 0 || request.direction)) {
-    return fail(request.levels > 0 ? "--levels" : "--direction",
-                request.order == ColoringOrder::kCarve
-                    ? "is for a single sweep, but carving sweeps along all six directions"
-                    : "is for a single sweep, but cameras all around the box need carving",
-                "leave it out, or ask for --order sweep");
+    return fail(
+        request.levels > 0 ? "--levels" : "--direction",
+        request.order == ColoringOrder::kCarve
+            ? "this option is for a single sweep, but carving sweeps along all six directions"
+            : "this option is for a single sweep, but cameras all around the box need carving",
+        "leave it out, or ask for --order sweep");
   }
   for (const CalibratedPicture& picture : set.pictures) {
     const GridPicture lens = grid_picture(plan.grid, projection_of(picture.camera),

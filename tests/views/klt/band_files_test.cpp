@@ -242,7 +242,7 @@ TEST_CASE("what files would take is asked of their headers, before anything is d
   const std::uint64_t one = 73728;
   CHECK(open_bands({broken}, one));
   CHECK(refusal(open_bands({broken}, one - 1))
-            .find("the bands would take 0.0703 MB of memory, more than is allowed; allow more "
+            .find("the bands would need 0.0703 MB of memory, more than is allowed; allow more "
                   "memory with --max-mb 1") != std::string::npos);
   CHECK(open_bands({broken, whole}, 2 * one));
   CHECK(refusal(open_bands({broken, whole}, 2 * one - 1)).find("--max-mb") != std::string::npos);
