@@ -190,11 +190,13 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
               options_.ignore.push_back(value_or_refuse("--ignore", parse_pixel_box(text)));
             }
           },
-          "a box of pixels to leave out; may be given several times")
+          "a rectangle of pixels to leave out of the comparison; may be given several times")
       ->allow_extra_args(false)
       ->type_name("X,Y,WxH")
       ->group(selection);
-  command.add_option("--mask", options_.mask, "a picture whose black pixels are left out")
+  command
+      .add_option("--mask", options_.mask,
+                  "a picture of the same size; where it is black, pixels are not compared")
       ->type_name("FILE")
       ->group(selection);
 
@@ -221,7 +223,7 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
   command
       .add_flag("--approve", approve_,
                 "copy TEST over REFERENCE where they differ or REFERENCE is missing")
-      ->group("Approval (refused where the environment variable CI is set)");
+      ->group("Approval (refused if the environment variable CI is set)");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -245,7 +247,7 @@ Result<void> DiffCommand::check_output_paths(const Pairing& pairing) const {
         *heat_, "-o", "is a file, but two directories give several heat maps", "name a folder"});
   }
   if (heat_ && directories_ && (is_same_file(*heat_, reference_) || is_same_file(*heat_, test_))) {
-    return tl::unexpected(Error{*heat_, "-o", "is one of the directories to compare",
+    return tl::unexpected(Error{*heat_, "-o", "this is one of the directories to compare",
                                 "name another folder for the heat maps"});
   }
   if (page_ == "-") {
@@ -260,8 +262,9 @@ Result<void> DiffCommand::check_output_paths(const Pairing& pairing) const {
                        std::any_of(pairing.pictures.begin(), pairing.pictures.end(),
                                    [&](const PicturePaths& pair) { return is_input(path, pair); });
     if (input) {
-      return tl::unexpected(
-          Error{path, "", "is one of the files to compare", "give the report its own name"});
+      return tl::unexpected(Error{path, "",
+                                  "this is one of the files to compare, which would be overwritten",
+                                  "give the report its own name"});
     }
   }
   return check_outputs(files);

@@ -108,7 +108,8 @@ private:
 
 void ExplainCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "explain", "which steps a picture needs, which are left out and why; what every stage did");
+      "explain",
+      "say which steps a picture needs, which are left out and why, and what every stage did");
   command.footer(
       "Examples:\n"
       "  glassbox explain teapot\n"
@@ -140,8 +141,9 @@ Result<Answer> ExplainCommand::answer(const Scene& scene) const {
     return tl::unexpected(legal.error());
   }
   if (stereo_.second_eye) {
-    return fail("--second-eye", "a warped eye is not drawn by the pipeline, so it has no stages",
-                "leave it out, or use render --report");
+    return fail("--second-eye",
+                "a warped eye is not drawn by the pipeline, so there are no stages to explain",
+                "leave this option out, or use glassbox render --report");
   }
   if (stereo_.form.wanted) return explain_pair(scene);
   const Result<ChosenView> chosen = choose_view(scene, question_.picture());
@@ -204,7 +206,7 @@ Result<Answer> ExplainCommand::explain_pair(const Scene& scene) const {
                 question_.title() + "\n" + eyes_text(*chosen, both) + "\n"};
   answer.json.update(pair_json(pair));
   if (!pair.is_planned() && engine_.engine == EngineKind::kTile) {
-    answer.text += "--stereo-cull centre: drawn by the staged engine, which has no plan\n\n";
+    answer.text += "With --stereo-cull centre the staged engine draws, which has no plan.\n\n";
   } else if (analyze_) {
     answer.text += engine_text(engine_) + "\n\n";
   }

@@ -34,9 +34,9 @@ std::string next_steps() {
     return fmt::format("  {:<56}{}\n", program + " " + arguments, purpose);
   };
   return "try next:\n" + line("render teapot --shade flat -o flat.png", "one colour per face") +
-         line("render forest --show depth -o depth.png", "the distance of everything") +
+         line("render forest --show depth -o depth.png", "the distance of each surface") +
          line("render YOUR.glb --stats", "your own scene (glTF, GLB, OBJ or PLY)") +
-         line("info YOUR.glb", "what is in it, and what is wrong with it") +
+         line("info YOUR.glb", "what is in this scene, and which mistakes it has") +
          line("render --help", "cameras, shading, depth formats, outputs");
 }
 

@@ -149,7 +149,8 @@ private:
     std::error_code ignored;
     const std::string next = names_.name(count() + 1);
     if (std::filesystem::exists(next, ignored)) {
-      progress_.print_line("note: " + next + " exists from a longer sequence and is not removed");
+      progress_.print_line("note: " + next +
+                           " is there from an earlier, longer sequence, and is not removed");
     }
   }
 

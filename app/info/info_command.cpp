@@ -276,7 +276,8 @@ Result<std::optional<GltfContents>> contents_of(const SceneAndBytes& loaded) {
 }  // namespace
 
 void InfoCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand("info", "what is in a scene, and what is wrong with it");
+  CLI::App& command =
+      *app.add_subcommand("info", "print what is in a scene, and which mistakes it has");
   command.footer(
       "Examples:\n"
       "  glassbox info duck.glb\n"

@@ -164,7 +164,7 @@ std::vector<std::string> numerical_warnings(const Scene& scene) {
   const Result<ChosenView> chosen = choose_view(scene, usual);
   if (!chosen) return {};
   if (!(box_pixels(scene, chosen->view) <= kMaxBoxPixels))
-    return not_asked("its triangles cover each other too often");
+    return not_asked("too many of its triangles cover each other");
   return study::stiffness_warnings(scene, study::stiffness_of(scene, chosen->view, usual.settings,
                                                               study::up_of(scene, usual.camera)));
 }

@@ -43,8 +43,8 @@ private:
 };
 
 void InspectCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command =
-      *app.add_subcommand("inspect", "every stage of a picture, fragment by fragment, as a page");
+  CLI::App& command = *app.add_subcommand(
+      "inspect", "write a page that shows every stage of a picture, fragment by fragment");
   command.footer(
       "Examples:\n"
       "  glassbox inspect teapot -o teapot.html\n"
@@ -66,8 +66,8 @@ void InspectCommand::add_to(CLI::App& app, int& exit_code) {
       .add_option_function<std::string>(
           "--rect",
           [this](const std::string& text) { page_.rectangle = parse_rectangle("--rect", text); },
-          "record only what reaches into these pixels, X0 <= x < X1 and Y0 <= y < Y1, with all "
-          "numbers")
+          "record only triangles and fragments in these pixels, X0 <= x < X1 and Y0 <= y < Y1, "
+          "with all numbers")
       ->type_name("X0,Y0,X1,Y1");
   add_picture_options(command, picture_);
   const std::string group = "Limits";

@@ -51,8 +51,9 @@ std::string depth_note(const PixelEvent& event, const std::vector<PixelEvent>& e
     return fmt::format("the same depth code as #{}; at equal depths the first one drawn stays",
                        *event.stored_by);
   }
-  return fmt::format("behind #{}: {:08x} is not below {:08x}; {:.9g} further along the gaze",
-                     *event.stored_by, event.code, event.stored, event.distance - by.distance);
+  return fmt::format(
+      "behind #{}: depth code {:08x} is not below {:08x}; the distance is {:.9g} larger",
+      *event.stored_by, event.code, event.stored, event.distance - by.distance);
 }
 
 // What there is to say about an event besides its row in the table; empty if the row says all.
@@ -127,16 +128,18 @@ std::string misses_text(const Scene& scene, const PixelHistory& history, bool al
 std::string last_line(const Scene& scene, const PixelHistory& history) {
   const std::string bytes = bytes_text(history.shown);
   if (!history.shows_bytes) {
-    return fmt::format("the picture shows {}: --show computes it after the last fragment\n", bytes);
+    return fmt::format("the picture shows {}, which --show computes after the last fragment\n",
+                       bytes);
   }
-  if (!history.shows) return fmt::format("the picture shows {}: the background\n", bytes);
+  if (!history.shows) return fmt::format("the picture shows {}, which is the background\n", bytes);
   const PixelEvent& event = history.events[*history.shows];
   const std::string what = event.source.is_triangle
                                ? fmt::format("triangle {}", event.source.number)
                                : "a line or a point of " + mesh_text(scene, event.instance);
-  return fmt::format(
-      "the picture shows {}: #{}, {}{}\n", bytes, *history.shows, what,
-      event.kind == PixelEventKind::kBlended ? ", blended over what was there before" : "");
+  return fmt::format("the picture shows {}: #{}, {}{}\n", bytes, *history.shows, what,
+                     event.kind == PixelEventKind::kBlended
+                         ? ", blended over the colour that was there before"
+                         : "");
 }
 
 }  // namespace
@@ -148,7 +151,7 @@ std::string history_text(const Scene& scene, const PixelHistory& history, bool a
   for (std::size_t i = 0; i < history.events.size(); ++i) text += event_text(scene, history, i);
   if (!history.misses.empty()) text += misses_text(scene, history, all_misses);
   if (history.without_area > 0) {
-    text += fmt::format("\nnot listed: {} without area after snapping\n",
+    text += fmt::format("\n{} without area after snapping, not in this list\n",
                         counted(history.without_area, "triangle"));
   }
   if (!history.complete)

@@ -129,8 +129,8 @@ std::string pixel_command_line(const Recipe& recipe, PixelPosition pixel) {
 }
 
 void PixelCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command =
-      *app.add_subcommand("pixel", "what is seen in one pixel of a picture, and its whole history");
+  CLI::App& command = *app.add_subcommand(
+      "pixel", "print what is seen in one pixel of a picture, and the history of the pixel");
   command.footer(
       "Examples:\n"
       "  glassbox pixel teapot --at 640,360\n"

@@ -48,15 +48,15 @@ std::vector<Part> parts_of(const ErrorReport& report) {
            s.triangle_ms,
            {{"screen", "corners on the screen", "px", e.screen},
             {"snap", "snapped corners", "px", e.snapped},
-            {"snap", "where planes cut, snapped", "px", e.cut}}},
+            {"snap", "corners that clipping made", "px", e.cut}}},
           {"fragments",
            s.fragment_ms,
            {{"depth", "stored depth", "of 0 to 1", e.depth},
-            {"depth", "the same along the gaze", "of distance", e.distance},
+            {"depth", "depth as a distance", "of distance", e.distance},
             {"attributes", "texture coordinates", "texels", e.texcoord},
             {"attributes", "normals", "of length", e.normal},
             {"texture", "texture samples", "1/255 light", e.texture, kByte},
-            {"light", "colours in the light", "1/255 light", e.light, kByte},
+            {"light", "colours after lighting", "1/255 light", e.light, kByte},
             {"encoding", "stored bytes", "1/255", e.stored},
             {"picture", "bytes of the picture", "1/255", e.picture}}}};
 }
@@ -119,13 +119,13 @@ std::vector<UncertainDecision> uncertain_decisions(const PictureErrors& e) {
            "depth test may be decided differently with exact depths",
            "depth tests may be decided differently with exact depths"},
           {"fragments_at_cutoff", e.fragments_at_cutoff,
-           "fragment has an alpha that may be on the other side of the cutoff",
-           "fragments have an alpha that may be on the other side of the cutoff"},
+           "fragment has an alpha so near the cutoff that exact alpha may be on the other side",
+           "fragments have an alpha so near the cutoff that exact alpha may be on the other side"},
           {"pixels_undecided", e.pixels_undecided,
-           "pixel shows the result of one of these decisions: the bound of its bytes holds for "
-           "what it shows",
-           "pixels show the results of these decisions: the bounds of their bytes hold for what "
-           "they show"}};
+           "pixel shows the result of such a decision; the bound of its bytes is for the decision "
+           "as it was made",
+           "pixels show the result of such decisions; the bounds of their bytes are for the "
+           "decisions as they were made"}};
 }
 
 std::vector<std::string> limitations(const ErrorReport& report) {
@@ -191,7 +191,7 @@ std::string uncertain_decisions_text(const PictureErrors& errors) {
                                 (decision.count == 1 ? decision.one : decision.many));
     }
   }
-  return text.empty() ? "" : "what exact numbers might decide differently\n" + text;
+  return text.empty() ? "" : "decisions that exact numbers might make differently\n" + text;
 }
 
 std::string limitations_text(const ErrorReport& report) {

@@ -220,15 +220,16 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
   const std::string outputs = "Other outputs";
   command
       .add_option("--depth-out", depth_output_,
-                  "distance along the gaze, +inf where nothing was drawn")
+                  "picture of distances along the gaze, +inf where nothing was drawn")
       ->type_name("FILE.pfm")
       ->group(outputs);
   command
       .add_option("--id-out", id_output_,
-                  "for each pixel 1 + the number of the visible triangle, 0 for none")
+                  "picture with 1 + the number of the visible triangle at each pixel, 0 for none")
       ->type_name("FILE.pfm")
       ->group(outputs);
-  command.add_flag("--stats", stats_, "print what every stage did")->group(outputs);
+  command.add_flag("--stats", stats_, "print what every stage did, and how long it took")
+      ->group(outputs);
   command
       .add_option("--report", report_output_,
                   "error bounds and time of each stage: JSON if the name ends in .json, else a "
@@ -336,7 +337,7 @@ int RenderCommand::run_frames(const std::string& default_output) {
   }
   if (stats_) {
     return refuse({"", "--stats", "it would be different for each frame",
-                   "leave --stats out, or use --json"});
+                   "leave --stats out, or use --json, which has the numbers of each frame"});
   }
   if (report_output_) {
     return refuse(
@@ -348,7 +349,7 @@ int RenderCommand::run_frames(const std::string& default_output) {
         {"", "-o -", "several frames cannot go to standard output", "name a file or a directory"});
   }
   if (format_) {
-    return refuse({"", "--format", "it is only for -o -", "end the name in .png or .ppm"});
+    return refuse({"", "--format", "this option is only for -o -", "end the name in .png or .ppm"});
   }
   if (const auto legal = check_stereo_picture(picture_, stereo_); !legal) {
     return refuse(legal.error());

@@ -97,7 +97,8 @@ std::string axis_angle_text(const Camera& camera, const View& view) {
   text += rows(factors.rotation.columns);
   text += sentence(fmt::format("R_z(roll): {} degrees", short_number(roll, 9)));
   text += rows(factors.roll.columns);
-  return text + sentence("their product, bit for bit:") + rows(view.eye_from_world.columns);
+  return text + sentence("their product has the same bits as eye_from_world:") +
+         rows(view.eye_from_world.columns);
 }
 
 // The difference between this view's eye_from_world and the usual formulation's; empty if this is

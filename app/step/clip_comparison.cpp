@@ -22,8 +22,11 @@ std::string first_difference_text(const ClipDifference& first) {
                                    "your program gives {}",
                                    first.vertex, position_text(first.ours),
                                    position_text(first.theirs))) +
-         wrapped("  ", fmt::format("rounding and printed digits explain differences up to {}",
-                                   position_text(first.tolerance)));
+         wrapped(
+             "  ",
+             fmt::format(
+                 "rounding and missing digits of the printed matrices explain differences up to {}",
+                 position_text(first.tolerance)));
 }
 
 }  // namespace
@@ -44,14 +47,14 @@ std::string clip_comparison_text(const ClipComparison& found) {
   }
   if (!found.explanations.empty()) return text;
   if (!found.clip_from_object) {
-    return text + wrapped("  ",
-                          "no way of using these matrices that was tried gives all of its "
-                          "positions");
+    return text +
+           wrapped("  ",
+                   "none of the tried ways of using these matrices gives all of its positions");
   }
   return text +
          wrapped("  ",
-                 "no way of using these matrices that was tried gives its positions, but this "
-                 "matrix does; --proj with it says what it is") +
+                 "none of the tried ways of using these matrices gives its positions, but this "
+                 "matrix gives them; give it as --proj to see what it is") +
          matrix_rows(*found.clip_from_object, "    ");
 }
 

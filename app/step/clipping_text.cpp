@@ -81,15 +81,16 @@ std::string early_culling_text(const SteppedTriangle& stepped) {
   const ObjectCull::Evaluation evaluation =
       cull.evaluate({corners[0].object, corners[1].object, corners[2].object});
   const bool whole = std::ranges::all_of(corners, [](const auto& c) { return c.outcode == 0; });
-  const char* verdict = !evaluation.removed ? "uncertain here, so the snapped area decides"
-                        : whole             ? "it is removed, and does not reach the stages below"
-                                            : "but a plane cuts it, so the snapped area decides";
+  const char* verdict =
+      !evaluation.removed ? "its sign is uncertain here, so the sign of the snapped area decides"
+      : whole             ? "the triangle is removed, and does not reach the stages below"
+              : "but a plane cuts the triangle, so the sign of the snapped area decides";
   const double rounding = evaluation.test.bound + evaluation.test.viewer_error_bound;
   std::string text = fmt::format("culling in object space, before clipping: (P - eye).m = {} {}",
                                  short_number(evaluation.test.value, 9), bound_text(rounding));
   if (std::isfinite(evaluation.margin)) {
-    text +=
-        fmt::format("; snapping and float may move it by {}", short_number(evaluation.margin, 3));
+    text += fmt::format("; snapping and rounding may change this number by {}",
+                        short_number(evaluation.margin, 3));
   }
   return sentence(text + ": " + verdict);
 }

@@ -23,8 +23,8 @@ std::string color_text(const Rgba& c) {
 std::string weights_text(const TracedFragment& traced, const TriangleSetup& setup,
                          const FragmentBounds& bounds) {
   std::string text = sentence(
-      "at each corner, in the order of the setup: E, E over twice the area (lambda), and the "
-      "weight after perspective");
+      "at each corner, in the order of the setup: the edge function E, lambda = E over twice the "
+      "area, and the weight after perspective");
   for (std::size_t k = 0; k < 3; ++k) {
     text += line(fmt::format(
         "  {}  {:>16} / {}   {:>12} {:<11} {:>12} {}", setup.order[k], traced.coverage.edges[k],
@@ -49,7 +49,7 @@ std::string depth_text(const SteppedTriangle& stepped, const TracedFragment& tra
         "the bound of z corresponds to a distance of {} here",
         short_number(distance_of_depth(distance, view.near, view.far, bounds.depth), 2)));
   }
-  const std::string stored = traced.stored == kEmptyDepth ? "the code of the cleared buffer"
+  const std::string stored = traced.stored == kEmptyDepth ? "the depth code of the cleared buffer"
                                                           : fmt::format("{:#010x}", traced.stored);
   return text +
          sentence(fmt::format("depth test: code {:#010x} is {}below {}", traced.code,

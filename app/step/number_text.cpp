@@ -63,7 +63,9 @@ std::string matrix_rows(const glm::dmat4& m, const std::string& indent, int digi
 }
 
 std::vector<std::string> round_trip_lines(const RoundTrip& trip, bool bits) {
-  if (!trip.is_bounded()) return {"the three numbers do not give the position: no bound is finite"};
+  if (!trip.is_bounded())
+    return {
+        "the position cannot be computed back from the three numbers: no error bound is finite"};
   const double back[] = {trip.object.x, trip.object.y, trip.object.z};
   std::vector<std::string> lines;
   for (int i = 0; i < 3; ++i) {

@@ -57,9 +57,10 @@ std::string view_sentences(const GivenMatrix& view, const ProjectionFacts& lens)
   text += indented(fmt::format("the eye stands at {}; right is {}, up {}", position_text(*eye),
                                short_vector_text(eye->right, 4), short_vector_text(eye->up, 4)));
   if (lens.kind == ProjectionKind::kNone) {
-    return text + indented(fmt::format("it looks along {} if it looks down -z, and the other way "
-                                       "if down +z: the projection decides",
-                                       short_vector_text(-eye->back, 4)));
+    return text +
+           indented(fmt::format("it looks along {} if it looks down -z, and in the opposite "
+                                "direction if it looks down +z, which the projection determines",
+                                short_vector_text(-eye->back, 4)));
   }
   return text + indented(fmt::format(
                     "it looks along {}, because the projection looks down {}z",
@@ -91,8 +92,9 @@ std::string depth_text(const ProjectionFacts& p, const ApiDialect& dialect) {
   if (p.oblique_depth) return indented("depth depends on x and y: an oblique near plane");
   const DepthReading &ours = dialect.z_from_minus_w ? p.minus_one_to_one : p.zero_to_one,
                      &other = dialect.z_from_minus_w ? p.zero_to_one : p.minus_one_to_one;
-  return indented(fmt::format("depth in the range of {}: {}", dialect.title, reading_text(ours))) +
-         indented(fmt::format("read for the range {} instead: {}",
+  return indented(
+             fmt::format("with the depth range of {}: {}", dialect.title, reading_text(ours))) +
+         indented(fmt::format("with the depth range {} instead: {}",
                               other.from_minus_one ? "-1 .. 1" : "0 .. 1", reading_text(other)));
 }
 
@@ -184,10 +186,10 @@ std::string affine_sentence(const MatrixFacts& facts) {
     case MatrixShape::kSheared:
       return joined({"affine, with a shear", moved}) + mirror;
     case MatrixShape::kFlat:
-      return fmt::format("affine, but flat: rank {}, determinant {}", facts.rank,
+      return fmt::format("affine, but it flattens space: rank {}, determinant {}", facts.rank,
                          short_number(facts.determinant, 3));
     case MatrixShape::kProjective:
-      return fmt::format("not affine: the last row is not 0 0 0 1 (rank {})", facts.rank);
+      return fmt::format("not affine, because the last row is not 0 0 0 1 (rank {})", facts.rank);
   }
   return "";
 }

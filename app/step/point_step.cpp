@@ -72,7 +72,8 @@ Result<PointStep> step_points(const PointStepOptions& o, const OwnMatrices& matr
                 "give one clip position for each point, in the same order");
   }
   if (o.expected.size() > points.size()) {
-    return fail("--expect", "there are more expected positions than points", "give one for each");
+    return fail("--expect", "there are more expected positions than points",
+                "give one expected position for each point");
   }
   PointStep step;
   step.bits = o.bits;

@@ -95,10 +95,10 @@ std::string no_change_text(const PointStep& step) {
   const bool alarmed =
       std::any_of(step.findings.begin(), step.findings.end(),
                   [](const Finding& finding) { return finding.severity == Severity::kAlarm; });
-  return wrapped("  ", alarmed ? "No change of convention that was tried brings it into the "
-                                 "picture: correct what is WRONG first"
-                               : "No change of convention that was tried brings it into the "
-                                 "picture: check its position, and what the camera sees");
+  return wrapped("  ", alarmed ? "None of the tried changes of convention brings it into the "
+                                 "picture: correct what is marked WRONG first"
+                               : "None of the tried changes of convention brings it into the "
+                                 "picture: check its position, and where the camera looks");
 }
 
 std::string changes_text(const PointStep& step) {
@@ -129,7 +129,7 @@ std::string where_all_are_text(const PointStep& step) {
   text += wrapped("  ", fmt::format("and {} more; {} of these {} are inside the view volume",
                                     step.walks.size() - kMaxLines, seen, step.walks.size()));
   if (step.points > step.walks.size()) {
-    text += wrapped("  ", fmt::format("they are spread evenly over the {} of the table",
+    text += wrapped("  ", fmt::format("the points above are chosen evenly from the {} of the table",
                                       counted(step.points, "point")));
   }
   return text;

@@ -156,7 +156,7 @@ std::string decision_of(const VertexChain& chain) {
   const std::string w = short_number(double(chain.clip.w));
   switch (chain.verdict) {
     case VertexVerdict::kNotFinite:
-      return "a coordinate is not finite, so nothing can be said";
+      return "a coordinate is not finite, so it cannot be compared with the planes";
     case VertexVerdict::kBehindEye:
       return fmt::format(
           "w = {} is negative: behind the eye. Dividing by it would flip the point to the front "

@@ -78,7 +78,7 @@ std::string singular_text(const SteppedTriangle& stepped, const StepTarget& targ
                         [&](const TracedCorner& corner) {
                           return std::vector{point_text(divided(m, corner.eye))};
                         }) +
-           sentence("z is lost, so nothing that is drawn this way can hide anything");
+           sentence("z is lost, so no surface that is drawn with this matrix can hide another");
   }
   const double d = view.near;
   const Transform<Clip, EyeLeft> m = singular_projection(d);
@@ -97,12 +97,12 @@ std::string singular_text(const SteppedTriangle& stepped, const StepTarget& targ
     return lines;
   });
   return text +
-         sentence(fmt::format("the other way to write it, the identity except for a last row of "
-                              "(0, 0, 1/d, 0), gives the same up to {} in double",
+         sentence(fmt::format("the other form of this matrix, the identity except for a last row "
+                              "of (0, 0, 1/d, 0), gives the same up to {} in double",
                               counted(ulps, "ulp"))) +
          sentence(
-             "z_s is d at every vertex: the matrix has rank 3 and keeps no depth, so this picture "
-             "can be drawn, but nothing in it can be hidden");
+             "z_s is d at every vertex: the matrix has rank 3 and keeps no depth, so a picture can "
+             "be drawn, but no surface can hide another");
 }
 
 }  // namespace glassbox::app

@@ -125,7 +125,8 @@ std::array<double, 4> parse_window(const std::string& text) {
   if (!(window[2] > 0 && window[3] != 0)) {
     throw CLI::ValidationError(
         "--viewport",
-        "needs x,y,width,height with a positive width and a height, not '" + text + "'");
+        "needs x,y,width,height with a width above 0 and a height other than 0, not '" + text +
+            "'");
   }
   return window;
 }
@@ -217,8 +218,8 @@ void print_ignored_options(const CLI::App& command, bool of_points) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || is_for(*option, of_points)) continue;
     fmt::print(stderr, "glassbox: note: {} is ignored: {}\n", option->get_name(),
-               of_points ? "a point goes through your own matrices"
-                         : "it is for --point, and a scene is given");
+               of_points ? "a point is transformed by your own matrices"
+                         : "this option is for --point, but a scene is given");
   }
 }
 
@@ -226,7 +227,8 @@ void print_ignored_options(const CLI::App& command, bool of_points) {
 
 void StepCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "step", "a triangle of a scene, or a point through your own matrices, through every space");
+      "step",
+      "follow a triangle of a scene, or a point and your own matrices, through every space");
   command.footer(kStepFooter);
   add_triangle(command);
   add_points(command, points_);
@@ -295,15 +297,16 @@ void StepCommand::add_triangle(CLI::App& command) {
 
 int StepCommand::run() {
   if (!asks_for_points() && scene_.empty()) {
-    return refuse({"", "", "there is nothing to step through",
+    return refuse({"", "", "neither a triangle nor a point is given",
                    "give a scene and --triangle N, or --point X,Y,Z and your matrices"});
   }
   if (!asks_for_points()) return run_triangle();
   if (vertices_ && scene_.empty()) {
-    return refuse({"", "--vertices", "there is no scene that has them", "name a scene"});
+    return refuse({"", "--vertices", "it needs a scene, but none is given", "name a scene"});
   }
   if (scene_.empty() || vertices_) return run_points();
-  return refuse({"", points_source_ ? "--points" : "--point", "a scene is given as well",
+  return refuse({"", points_source_ ? "--points" : "--point",
+                 "points and matrices are given, and a scene as well",
                  "give a scene and --triangle or --vertices, or points and matrices"});
 }
 

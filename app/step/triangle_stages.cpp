@@ -102,9 +102,11 @@ std::string clip_text(const Context& c) {
     const TracedCorner& corner = c.triangle().corners[k];
     auto lines = number_lines(to_glm(corner.clip), c.stepped.bounds.corners[k].clip, c.bits);
     const std::uint64_t ulps = ulps_from_chain(view, corner);
-    lines.push_back(ulps == 0 ? "the same bits as via world and eye space in double"
-                              : fmt::format("via world and eye space in double: {} away",
-                                            counted(ulps, "ulp")));
+    lines.push_back(
+        ulps == 0
+            ? "the bits are the same as with world and eye space in double"
+            : fmt::format("computed in double through world and eye space, the position is {} away",
+                          counted(ulps, "ulp")));
     return lines;
   });
   return text;
@@ -169,7 +171,8 @@ std::string round_trip_text(const Context& c) {
          corners_text(c, [&](std::size_t k) {
            return corners[k].round_trip
                       ? round_trip_lines(*corners[k].round_trip, c.bits)
-                      : std::vector<std::string>{"behind the eye: it has no place on the screen"};
+                      : std::vector<std::string>{
+                            "behind the eye, so it has no position on the screen"};
          });
 }
 
@@ -230,7 +233,7 @@ std::string setup_text(const Context& c) {
           fmt::format("piece {}: vertices {}, {}, {} of the polygon", i, p[0], p[1], p[2]));
     }
     if (!pieces[i].setup) {
-      text += sentence("no area after snapping: it covers nothing");
+      text += sentence("no area after snapping, so it covers no pixel");
       continue;
     }
     text += facing_text(c, pieces[i], c.stepped.bounds.double_area[i]);
@@ -270,8 +273,8 @@ std::string fragments_text(const Context& c) {
                f.fragment.y == c.target.pixel->y;
       });
   if (c.target.pixel && chosen == fragments.end()) {
-    return text + sentence(fmt::format("pixel ({}, {}) is not among them", c.target.pixel->x,
-                                       c.target.pixel->y));
+    return text + sentence(fmt::format("pixel ({}, {}) is not among the covered ones",
+                                       c.target.pixel->x, c.target.pixel->y));
   }
   const TracedFragment& shown = c.target.pixel ? *chosen : fragments[fragments.size() / 2];
   return text + fragment_text(c.stepped, shown, c.bits);

@@ -122,23 +122,23 @@ void advise_on_budget(const StereoFindings& found, std::vector<Advice>& all) {
     constexpr double kMuchMore = 2;
     if (!same || same->separation < kMuchMore * current_separation) return;
     all.push_back(
-        {fmt::format(
-             "There is room for more depth: the eyes may be {:.4g} apart instead of {:.4g}.",
-             same->separation, current_separation),
+        {fmt::format("More depth is possible: the eyes may be {:.4g} apart instead of {:.4g}.",
+                     same->separation, current_separation),
          options_of(*same)});
     return;
   }
   if (same) {
-    all.push_back({fmt::format("Move the eyes closer together: {:.4g} apart instead of {:.4g}, "
-                               "with the window where it is, keeps the budget.",
+    all.push_back({fmt::format("Move the eyes closer together: if they are {:.4g} apart instead of "
+                               "{:.4g} and the window stays, the parallax is within the budget.",
                                same->separation, current_separation),
                    options_of(*same)});
   }
   if (!best || (same && best->separation <= 1.05 * same->separation)) return;
-  all.push_back({fmt::format("{} the window to {:.4g}, where the nearest and the farthest thing "
-                             "reach the budget together: there the eyes may be {:.4g} apart.",
-                             same ? "Or move" : "Move", best->window, best->separation),
-                 options_of(*best)});
+  all.push_back(
+      {fmt::format("{} the window to {:.4g}, where the nearest and the farthest surface have the "
+                   "largest allowed parallax: then the eyes may be {:.4g} apart.",
+                   same ? "Or move" : "Move", best->window, best->separation),
+       options_of(*best)});
 }
 
 // ---- colour ----
@@ -155,7 +155,7 @@ void advise_on_colour(const StereoFindings& found, std::vector<Advice>& all) {
     if (!grey && (best == nullptr || method.rivalry < best->rivalry)) best = &method;
   }
   if (best != nullptr && best->rivalry < now) {
-    all.push_back({fmt::format("Make the anaglyph another way: {} brings the mean rivalry from "
+    all.push_back({fmt::format("Use another anaglyph method: {} changes the mean rivalry from "
                                "{:.3f} to {:.3f} and keeps some colour.",
                                name_of(best->method), now, best->rivalry),
                    {"--anaglyph", std::string(name_of(best->method))}});
@@ -176,8 +176,8 @@ void advise_on_content(const StereoFindings& found, std::vector<Advice>& all) {
   constexpr double kLittle = 0.01;  // fraction of the picture
   if (found.information.share >= kLittle) return;
   all.push_back(
-      {"There is little for the eyes to compare: upright edges, thin things and textures "
-       "of many sizes, on both sides of the window, give more depth to see.",
+      {"The eyes see depth at few places of this picture: add upright edges, thin objects and "
+       "textures of many sizes, in front of the window and behind it.",
        {}});
 }
 
@@ -187,12 +187,15 @@ std::vector<Advice> advise(const Scene& scene, const StereoFindings& found) {
   std::vector<Advice> all;
   if (!found.depth.seen) {
     return {
-        {"Turn the camera to the scene: without camera options the whole scene is in view.", {}}};
+        {"Turn the camera towards the scene; without camera options the whole scene is in view.",
+         {}}};
   }
   if (found.rendering.passes == 1) {
     auto eyes = eyes_for_same_window(found);
     if (!eyes) eyes = best_eyes(found);
-    if (eyes) all.push_back({"Move the eyes apart: this far keeps the budget.", options_of(*eyes)});
+    if (eyes)
+      all.push_back({"Move the eyes apart: with these options the parallax is within the budget.",
+                     options_of(*eyes)});
     advise_on_colour(found, all);
     return all;
   }

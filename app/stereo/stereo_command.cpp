@@ -54,7 +54,7 @@ private:
 namespace {
 
 void add_report_options(CLI::App& command, StereoCriteria& criteria) {
-  const std::string group = "What the pair is compared with";
+  const std::string group = "Limits for the pair";
   command
       .add_option_function<std::string>(
           "--budget",
@@ -95,7 +95,7 @@ void add_report_options(CLI::App& command, StereoCriteria& criteria) {
 
 void StereoCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "stereo", "how a pair of eyes sees a scene, what disturbs them, and what to change");
+      "stereo", "judge how comfortable a stereo pair of a scene is, and say what to change");
   command.footer(
       "Examples:\n"
       "  glassbox stereo forest\n"
@@ -121,7 +121,8 @@ void StereoCommand::add_to(CLI::App& app, int& exit_code) {
 
 Result<void> StereoCommand::check_options() const {
   if (picture_.eyes.seen_by) {
-    return fail("--seen-by", "the report is about both eyes", "leave it out");
+    return fail("--seen-by", "the report is about both eyes, so one eye cannot be chosen",
+                "leave it out");
   }
   const double budget = criteria_.budget_percent;
   if (!(budget >= 0 && budget <= 100)) {
@@ -131,8 +132,8 @@ Result<void> StereoCommand::check_options() const {
   const Display& display = criteria_.display;
   if (!(display.width_mm > 0 && display.viewing_distance_mm > 0)) {
     return fail("--display",
-                fmt::format("a display of {:g} mm at {:g} mm is not possible", display.width_mm,
-                            display.viewing_distance_mm),
+                fmt::format("a display {:g} mm wide at a distance of {:g} mm is not possible",
+                            display.width_mm, display.viewing_distance_mm),
                 "give the picture's width and its distance, both above 0");
   }
   const double target = criteria_.target_rivalry;

@@ -217,11 +217,11 @@ void add_stereo_picture_options(CLI::App& command, StereoPictureOptions& stereo)
       ->type_name("drawn|warp[:LAYERS]")
       ->group("Eyes (stereo)");
   add_strength(command, "--desaturate", stereo.recolour.desaturate,
-               "how far colours are moved to grey before they become an anaglyph, 0 .. 1 [0]");
+               "how far colours are moved towards grey before the anaglyph is made, 0 .. 1 [0]");
   add_strength(command, "--brighten", stereo.recolour.brighten,
-               "how far they are moved to white after that, 0 .. 1 [0]");
+               "how far colours are moved towards white after --desaturate, 0 .. 1 [0]");
   add_named(command, "--cable", stereo.cable, all_cables(),
-            "send the anaglyph through an analogue cable, which mixes the eyes");
+            "simulate an analogue video cable, which mixes the anaglyph's two eyes");
   const auto all = command.get_options();
   stereo.options.assign(all.begin() + std::ptrdiff_t(before), all.end());
 }
@@ -232,7 +232,7 @@ Result<void> check_stereo_picture(const PictureOptions& picture,
     for (const CLI::Option* option : stereo.options) {
       if (option->count() == 0) continue;
       return fail(option->get_name(), "it is an option for pictures of two eyes",
-                  "give --stereo too, or leave it out");
+                  "give --stereo too, or leave this option out");
     }
     return {};
   }
@@ -291,7 +291,8 @@ Result<StereoPicture> render_stereo_picture(Renderer& renderer, const Scene& sce
 
 std::string eyes_text(const ChosenEyes& chosen, const StereoRendering& rendering) {
   const StereoPair& pair = chosen.eyes.pair;
-  if (pair.half_separation == 0) return "stereo: both eyes are in one place; one pass drew both\n";
+  if (pair.half_separation == 0)
+    return "stereo: both eyes are in one place, so one pass drew both pictures\n";
   std::string text = fmt::format("stereo: eyes {:.6g} apart, window at {:.6g} ({})\n",
                                  2 * pair.half_separation, pair.window, chosen.eyes.window_is_at);
   text += fmt::format("  {:<10}{:>12}{:>16}{:>14}\n", "", "distance", "parallax", "of the width");
@@ -323,8 +324,9 @@ std::string cropped_text(const StereoPicture& picture) {
 std::string warped_text(const StereoPicture& picture) {
   if (!picture.warped) return "";
   const WarpedRightEye& eye = *picture.warped;
-  const std::string layers = eye.layers == 1 ? "what the left one sees"
-                                             : fmt::format("{} layers of the left one", eye.layers);
+  const std::string layers = eye.layers == 1
+                                 ? "the surfaces that the left one sees"
+                                 : fmt::format("{} layers from the left one", eye.layers);
   std::string text = fmt::format(
       "  the right eye is warped from {}: {:.2f} % of it are holes, filled from behind;\n"
       "  {:.1f} ms, after {:.1f} ms for drawing the left one",

@@ -26,13 +26,14 @@ std::string name_of_instance(const Scene& scene, std::uint32_t index) {
 Verdict about_parallax(const StereoFindings& found) {
   const DepthFindings& depth = found.depth;
   const std::string seen = fmt::format(
-      "what is visible has {:+.3f} % to {:+.3f} % of the width, {:g} % are allowed either way",
+      "the visible parallax is {:+.3f} % to {:+.3f} % of the width, and {:g} % is allowed in "
+      "either direction",
       depth.nearest.percent, depth.farthest.percent, found.criteria.budget_percent);
   const double share = depth.share_beyond_budget();
   if (share == 0) return {"parallax", Level::kGood, "within the budget: " + seen};
   constexpr double kFew = 0.01;  // fraction of the pixels that is too small to tire the eyes
   return {"parallax", share < kFew ? Level::kWarning : Level::kBad,
-          fmt::format("beyond the budget in {:.3g} % of the pixels: {}", 100 * share, seen)};
+          fmt::format("above the budget in {:.3g} % of the pixels: {}", 100 * share, seen)};
 }
 
 Verdict about_window(const Scene& scene, const StereoFindings& found) {
@@ -57,22 +58,24 @@ Verdict about_divergence(const StereoFindings& found) {
                                         display.viewing_distance_mm);
   if (far.diverges) {
     return {"divergence", Level::kBad,
-            fmt::format("{} the farthest thing seen has {:.0f} mm of parallax, and pupils are {:g} "
-                        "mm apart: the eyes would have to diverge",
+            fmt::format("{} the farthest visible surface has {:.0f} mm of parallax, and pupils are "
+                        "{:g} mm apart: the eyes would have to diverge",
                         where, far.mm, kPupilDistanceMm)};
   }
-  return {"divergence", Level::kGood,
-          fmt::format("none: {} the farthest thing seen has {:.3g} mm of parallax, {:.2f} degrees",
-                      where, far.mm, far.degrees)};
+  return {
+      "divergence", Level::kGood,
+      fmt::format("none: {} the farthest visible surface has {:.3g} mm of parallax, {:.2f} degrees",
+                  where, far.mm, far.degrees)};
 }
 
 Verdict about_vertical(const StereoFindings& found) {
   const VerticalFindings& v = found.vertical;
   const std::string toed_in =
-      v.toed_in_px == 0
-          ? "Cameras that are toed in would have none here either"
-          : fmt::format("Cameras that are toed in would have up to {:.3g} px, at pixel ({}, {})",
-                        v.toed_in_px, v.x, v.y);
+      v.toed_in_px == 0 ? "Cameras that are toed in would have no vertical parallax here either"
+                        : fmt::format(
+                              "Cameras that are toed in would have vertical parallax of up to "
+                              "{:.3g} px, at pixel ({}, {})",
+                              v.toed_in_px, v.x, v.y);
   if (v.skewed_px == 0) {
     return {"vertical parallax", Level::kGood,
             "none: the frusta are skewed, so the eyes look in the same direction. " + toed_in};
@@ -113,9 +116,8 @@ Verdict about_order(const StereoFindings& found) {
     return {"order of the eyes", Level::kBad, "swapped: near things look far, and far things near"};
   }
   if (pair.order == EyeOrder::kUnknown) {
-    return {
-        "order of the eyes", Level::kFact,
-        "unknown: these pictures have too little texture that the eyes see at different places"};
+    return {"order of the eyes", Level::kFact,
+            "unknown: these pictures have too little texture with parallax"};
   }
   return {
       "order of the eyes", Level::kGood,
@@ -127,12 +129,11 @@ Verdict about_order(const StereoFindings& found) {
 
 Verdict about_information(const StereoFindings& found) {
   const StereoInformation& i = found.information;
-  return {
-      "stereo information", Level::kFact,
-      fmt::format("{} pixels, {:.2f} % of the left picture, are edges that the eyes see at "
-                  "different places ({:.1f} % of what is drawn are edges, {:.1f} % is displaced)",
-                  i.score, 100 * i.share, percent_of(i.edges, i.pixels),
-                  percent_of(i.displaced, i.pixels))};
+  return {"stereo information", Level::kFact,
+          fmt::format("{} pixels, {:.2f} % of the left picture, are edges with parallax ({:.1f} % "
+                      "of the drawn pixels are edges, {:.1f} % have parallax)",
+                      i.score, 100 * i.share, percent_of(i.edges, i.pixels),
+                      percent_of(i.displaced, i.pixels))};
 }
 
 Verdict about_one_eye(const StereoFindings& found) {
@@ -184,11 +185,12 @@ std::string names_of_cut(const Scene& scene, const WindowViolation& violation) {
 
 std::vector<Verdict> verdicts_of(const Scene& scene, const StereoFindings& found) {
   if (!found.depth.seen) {
-    return {{"pictures", Level::kBad, "no part of the scene is in them"}, about_cost(found)};
+    return {{"pictures", Level::kBad, "no part of the scene is in the pictures"},
+            about_cost(found)};
   }
   if (found.rendering.passes == 1) {
     return {{"eyes", Level::kWarning,
-             "they are in one place: both pictures are the same, and one run made them"},
+             "the eyes are in one place, so both pictures are the same, and one run made them"},
             about_rivalry(found),
             about_ghosts(found)};
   }

@@ -173,7 +173,7 @@ std::vector<std::string> names_of(const TraceArrays& arrays) {
 
 void TraceCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
-      "trace", "a whole run as data: every stage's numbers as JSON or NumPy arrays");
+      "trace", "write the numbers of every stage of a run, as JSON or NumPy arrays");
   command.footer(kTraceFooter + builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   command.add_option("-o,--output", output_, ".json or .npz; - is JSON on standard output")
@@ -190,8 +190,8 @@ void TraceCommand::add_filter(CLI::App& command) {
   command
       .add_option_function<std::string>(
           "--stages", [this](const std::string& text) { parse_stages(text, filter_); },
-          "some of triangles,fragments,colors: the geometric stages; coverage, depth and weights; "
-          "attributes and colours [all]")
+          "parts to record: triangles (the geometric stages), fragments (coverage, depth and "
+          "weights), colors (attributes and colours) [all]")
       ->type_name("LIST")
       ->group(group);
   command
@@ -211,7 +211,7 @@ void TraceCommand::add_filter(CLI::App& command) {
       .add_option_function<std::string>(
           "--rect",
           [this](const std::string& text) { filter_.pixels = parse_rectangle("--rect", text); },
-          "only what reaches into these pixels, X0 <= x < X1 and Y0 <= y < Y1")
+          "only triangles and fragments in these pixels, X0 <= x < X1 and Y0 <= y < Y1")
       ->type_name("X0,Y0,X1,Y1")
       ->group(group);
 }

@@ -27,8 +27,8 @@ std::string no_area_text(const NoAreaVerdict& found) {
   if (found.reason == NoArea::kRepeatedPosition) why = "Corners of the face are at the same place";
   if (found.reason == NoArea::kWholeFace) {
     why =
-        "The face's outline encloses nothing: it lies on one line, or crosses itself so that its "
-        "parts cancel";
+        "The signed area of the face is 0: its corners lie on one line, or its outline crosses "
+        "itself so that the areas of its parts cancel";
   }
   return fmt::format(
       "{}, so it has no area and is left out before anything is transformed. The face's corners: "
@@ -174,8 +174,8 @@ std::string no_screen_area_text(const NoScreenAreaVerdict& found) {
     after.push_back(fmt::format("({}, {})", found.snapped[k].x, found.snapped[k].y));
   }
   return fmt::format(
-      "It has an area of {:.4g} px^2 on the screen, but none after snapping to {} steps per pixel: "
-      "{} px become {} /{} px, {}.",
+      "It has an area of {:.4g} px^2 on the screen, but no area after snapping to {} steps per "
+      "pixel: {} px become {} /{} px, {}.",
       found.area_px2, kSubpixels, list_in_words(before), list_in_words(after), kSubpixels,
       found.snapped[0] == found.snapped[1] && found.snapped[1] == found.snapped[2]
           ? "one point"
@@ -225,8 +225,8 @@ std::string outside_text(const OutsideDistances& outside, const View& view) {
   };
   if (outside.beyond_edge) {
     return fmt::format(
-        "It passes a corner of the picture: its box reaches in, but all of the picture lies "
-        "outside one of its edges, by {:.9g} px or more.",
+        "It lies beside a corner of the picture: its bounding box reaches into the picture, but "
+        "all of the picture is outside one of its edges, by {:.9g} px or more.",
         *outside.beyond_edge / kSubpixels);
   }
   std::vector<std::string> sides;

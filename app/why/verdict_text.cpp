@@ -19,21 +19,22 @@ constexpr ResultText kResultTexts[kTriangleResults] = {
     {"no area as modelled", "their corners lie on a line or in a point, so they are never drawn"},
     {"not finite", "a corner overflows float on the way to clip space"},
     {"behind the eye",
-     "every w, the distance along the gaze, is 0 or less: the camera looks the other way"},
+     "w, the distance along the gaze, is 0 or less at every corner, because the camera looks the "
+     "other way"},
     {"outside one plane", "all corners lie outside one plane: near, far or the guard band"},
-    {"clipped away", "several planes together leave nothing of them"},
+    {"clipped away", "clipping at several planes removes all of them"},
     {"no area on the screen", "after snapping to 1/256 px they are lines or points"},
     {"turned away", "they show the side that is culled"},
     {"outside the picture", "they are outside the picture"},
     {"between pixel centres", "they are so small or thin that they cover no pixel's centre"},
-    {"hidden", "something nearer was drawn before them wherever they are"},
+    {"hidden", "at each of their pixels a nearer surface was drawn before them"},
     {"discarded", "their alpha is below the material's cutoff"},
     {"masked", "the colour mask lets no channel through"},
-    {"overwritten", "something nearer was drawn over them afterwards"},
-    {"unchanged bytes", "the bytes that they write were there already"},
+    {"overwritten", "nearer surfaces were drawn over them afterwards"},
+    {"unchanged bytes", "they write the bytes that were there already"},
     {"partly visible", "some of their fragments are in the picture"},
     {"visible", "all their fragments are in the picture"},
-    {"drawn as lines", "only their edges are drawn"},
+    {"drawn as lines", "only their edges are drawn, as lines"},
 };
 
 const char* mistake_remedy(SetupChange change) {
@@ -144,11 +145,12 @@ std::vector<std::string> explain_fragments(const TriangleVerdict& verdict) {
         found.cutoff, share(t.discarded), found.alpha, found.x, found.y));
   }
   if (t.masked > 0) {
-    text.push_back(fmt::format("Kept out by the colour mask, which lets no channel through: {}.",
-                               share(t.masked)));
+    text.push_back(
+        fmt::format("Not written because of the colour mask, which lets no channel through: {}.",
+                    share(t.masked)));
   }
   if (t.overwritten > 0) {
-    text.push_back(fmt::format("Written, and then written over: {}, by {}.", share(t.overwritten),
+    text.push_back(fmt::format("Written, and later overwritten: {}, by {}.", share(t.overwritten),
                                occluders_text(d.overwritten_by)));
   }
   return text;

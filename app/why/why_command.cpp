@@ -110,7 +110,7 @@ std::string WhyCommand::scene_text(const SceneVerdict& found) const {
   std::string text =
       fmt::format("{}: {}\n", question_.title(), counted(found.triangles, "triangle"));
   if (found.triangles == 0) {
-    return text + "  Nothing here is a triangle; glassbox pixel follows lines and points, too.\n";
+    return text + "  This scene has no triangles; glassbox pixel shows lines and points, too.\n";
   }
   text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", "triangles", "end", "stage", "for example");
   for (std::size_t i = 0; i < kTriangleResults; ++i) {
@@ -123,12 +123,12 @@ std::string WhyCommand::scene_text(const SceneVerdict& found) const {
   const std::optional<TriangleResult> loss = found.most_frequent_loss();
   if (!loss) return text;
   const SceneVerdict::Group& lost = found.at(*loss);
-  text += wrapped(
-      "  ", fmt::format("{}: {}.",
-                        lost.triangles == found.triangles
-                            ? std::string("All of them end there")
-                            : fmt::format("Most that are lost end as {}", result_words(*loss)),
-                        result_meaning(*loss)));
+  text += wrapped("  ", fmt::format("{}: {}.",
+                                    lost.triangles == found.triangles
+                                        ? std::string("All of them end there")
+                                        : fmt::format("Most invisible triangles end as {}",
+                                                      result_words(*loss)),
+                                    result_meaning(*loss)));
   const std::string line = command("why", "--triangle", std::to_string(lost.example));
   if (!found.all_lost() && !line.empty()) text += "  look   " + line + "\n";
   return text;
@@ -137,7 +137,7 @@ std::string WhyCommand::scene_text(const SceneVerdict& found) const {
 void WhyCommand::add_to(CLI::App& app, int& exit_code) {
   CLI::App& command = *app.add_subcommand(
       "why",
-      "why a triangle is not visible, or where it is; without --triangle, for all triangles");
+      "say why a triangle is not visible, or where it is; without --triangle, for all triangles");
   command.footer(
       "Examples:\n"
       "  glassbox why cube --triangle 0\n"

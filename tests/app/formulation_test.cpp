@@ -108,8 +108,9 @@ TEST_CASE(
   const WorkingDirectory here;
   const std::string start = "step cube --size 320x180 --triangle 10 --vertex 0 ";
   const std::string turned = here.run(start + "--view-from axis-angle").out;
-  for (const char* part : {"T(-eye)", "R(a, theta): ", "R_z(roll): ", "their product, bit for bit",
-                           "[U; V; N] T(-eye) is the same except for rounding"}) {
+  for (const char* part :
+       {"T(-eye)", "R(a, theta): ", "R_z(roll): ", "their product has the same bits",
+        "[U; V; N] T(-eye) is the same except for rounding"}) {
     INFO(part);
     CHECK(contains(turned, part));
   }
@@ -171,7 +172,7 @@ TEST_CASE("step says of a triangle whether it is culled before clipping, and by 
     const std::string out = here.run(start + std::to_string(i)).out;
     CHECK(contains(out, "culling in object space, before clipping"));
     removed += contains(unwrapped(out), "it is removed");
-    kept += contains(unwrapped(out), "so the snapped area decides");
+    kept += contains(unwrapped(out), "so the sign of the snapped area decides");
     // A triangle that is removed is one that is culled on the screen.
     CHECK(contains(unwrapped(out), "it is removed") == contains(unwrapped(out), "piece is culled"));
   }

@@ -175,7 +175,7 @@ TEST_CASE("people read the same") {
       "      triangle  face of mesh, material      fate         distance    depth     pixel after\n"
       "                                            cleared                  ffffffff  (255, 0, "
       "128, 255)\n\n"
-      "the picture shows (255, 0, 128, 255): the background\n");
+      "the picture shows (255, 0, 128, 255), which is the background\n");
   CHECK(here.names().empty());
 }
 

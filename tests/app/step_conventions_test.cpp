@@ -222,7 +222,7 @@ TEST_CASE("without a projection the way ends in the eye's space, and nothing van
 TEST_CASE("where no convention helps, it says what the camera sees instead") {
   const WorkingDirectory here;
   const Outcome outcome = step(here, {book::identity(), kView, kProjection, "--point 0,9,0"});
-  CHECK(contains(outcome.out, "No change of convention"));
+  CHECK(contains(outcome.out, "None of the tried changes of convention"));
   CHECK(contains(outcome.out, "the picture spans y from"));
   CHECK_FALSE(contains(outcome.out, "WRONG"));
 }

@@ -129,9 +129,9 @@ TEST_CASE("the report in words has what is seen beside the planes, and what to c
   CHECK(outcome.err.empty());
   for (const char* words :
        {"forest, 160 x 90\n", "eyes 1 apart (as given)", "near plane", "nearest seen",
-        "farthest seen", "beyond the budget in", "cut by the left or right edge",
-        "toed in would have up to", "mask anaglyph", "fit this order", "what to change\n",
-        "--eye-separation 0."}) {
+        "farthest seen", "above the budget in", "cut by the left or right edge",
+        "toed in would have vertical parallax of up to", "mask anaglyph", "fit this order",
+        "what to change\n", "--eye-separation 0."}) {
     INFO(words << " in\n" << outcome.out);
     CHECK(outcome.out.find(words) != std::string::npos);
   }
