@@ -21,7 +21,7 @@ tl::unexpected<Error> file_error(const std::string& path, std::string cause, std
 }
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what, int code) {
-  const char* remedy = "write to another place";
+  const char* remedy = "write to another directory";
   if (code == ENOENT || code == ENOTDIR) remedy = "make the directory first";
   if (code == EACCES || code == EPERM || code == EROFS) {
     remedy = "write to another place or change the permissions";
@@ -116,7 +116,7 @@ bool names_device(const std::string& path) {
 }  // namespace
 
 Result<void> write_file(const std::string& path, std::span<const std::byte> bytes) {
-  if (path.empty()) return file_error("", "the file has no name", "name the file to be written");
+  if (path.empty()) return file_error("", "the file has no name", "name the file to write");
   struct stat status = {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {

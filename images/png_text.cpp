@@ -74,7 +74,7 @@ Result<std::vector<TextEntry>> read_png_text(Bytes bytes) {
     if (!chunk) return tl::unexpected<Error>(chunk.error());
     if (chunk->type == "IEND") return entries;
     if (chunk->type != "tEXt" && chunk->type != "iTXt") continue;
-    if (!has_right_crc(*chunk)) return broken("a text has the wrong check sum");
+    if (!has_right_crc(*chunk)) return broken("the checksum of a text is wrong");
     auto entry = chunk->type == "tEXt" ? entry_of_text(chunk->data) : entry_of_itxt(chunk->data);
     if (entry) entries.push_back(std::move(*entry));
   }

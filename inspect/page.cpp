@@ -278,7 +278,7 @@ Result<void> check_limits(const ColumnRun& run, const InspectOptions& options) {
     return fail(options.scene_name,
                 fmt::format("{} {} are more than the {} that a page may have", count, what, limit),
                 fmt::format("choose a part of the picture with --rect X0,Y0,X1,Y1, or a smaller "
-                            "--size; {} allows more, but the page then opens slowly",
+                            "--size; {} allows more, but then the page opens slowly",
                             option));
   };
   if (run.triangle_count > options.max_triangles) {

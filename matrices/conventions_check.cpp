@@ -98,7 +98,7 @@ void weigh_eyepoint(const SetupFacts& before, const SetupFacts& after, Alternati
   if (!before.eye || !after.eye) return;
   if (after.eye->level != before.eye->level) {
     add_reason(found, after.eye->level ? 4 : -4,
-               after.eye->level ? "the camera is then upright, and as given it is rolled" : "");
+               after.eye->level ? "the camera is then upright, but as given it is rolled" : "");
   }
   const int saved = before.eye->digits - after.eye->digits;
   if (saved >= 3) {

@@ -24,13 +24,13 @@ Result<void> check_perspective_planes(const DepthPlanes& planes) {
   }
   if (n == f) {
     return fail("far plane", "it is at the same distance as the near plane, " + number_text(n),
-                "move it away; there is no room for depth between them");
+                "move the far plane away from the near plane");
   }
   if (n > f) {
     return fail(
         "far plane",
         "its distance " + number_text(f) + " is less than the near plane's " + number_text(n),
-        "exchange the two; for depth 1 at the near plane choose the reversed range");
+        "exchange the two planes; for depth 1 at the near plane choose the reversed range");
   }
   return {};
 }
@@ -41,8 +41,9 @@ Result<void> check_parallel_planes(const DepthPlanes& planes) {
     return fail("near plane", "its distance is " + number_text(n), "give a finite distance");
   }
   if (!std::isfinite(f)) {
-    return fail("far plane", "its distance is " + number_text(f) + " in a parallel projection",
-                "give a finite distance; only perspective has room for infinity");
+    return fail(
+        "far plane", "its distance is " + number_text(f) + " in a parallel projection",
+        "give a finite distance; only a perspective projection can have an infinite far plane");
   }
   if (!(n < f)) {
     return fail(

@@ -113,12 +113,12 @@ Result<void> check_float_range(const Projected& p) {
   };
   if (!fits(p.near)) {
     return fail("near plane",
-                "its distance " + number_text(p.near) + " is outside of what float holds",
+                "its distance " + number_text(p.near) + " is too large or too small for a float",
                 "scale the scene");
   }
   if (!std::isinf(p.far) && !fits(p.far)) {
     return fail("far plane",
-                "its distance " + number_text(p.far) + " is outside of what float holds",
+                "its distance " + number_text(p.far) + " is too large or too small for a float",
                 "scale the scene, or give inf");
   }
   for (int column = 0; column < 4; ++column) {
@@ -127,7 +127,8 @@ Result<void> check_float_range(const Projected& p) {
       if (fits(entry) || is_slope_of_depth(row, column, entry)) continue;
       return fail("projection",
                   "the matrix entry (" + std::to_string(row) + ", " + std::to_string(column) +
-                      ") is " + number_text(entry) + ", outside of what float holds",
+                      ") is " + number_text(entry) +
+                      ", which is too large or too small for a float",
                   "choose a field of view, window and planes of more ordinary size");
     }
   }

@@ -237,7 +237,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   command.add_flag("--bits", bits_, "print the bits of each float too, in hexadecimal")
       ->group("Other outputs");
   add_json_output(command, json_output_)->group("Other outputs");
-  add_max_megabytes(command, max_megabytes_, " of JSON than this");
+  add_max_megabytes(command, max_megabytes_, " of JSON");
   command.callback([this, &command, &exit_code] {
     const bool other_scene = !scene_.empty() && !vertices_;
     if (other_scene != asks_for_points()) print_ignored_options(command, asks_for_points());

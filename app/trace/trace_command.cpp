@@ -181,7 +181,7 @@ void TraceCommand::add_to(CLI::App& app, int& exit_code) {
       ->required();
   add_filter(command);
   add_picture_options(command, picture_);
-  add_max_megabytes(command, max_megabytes_, " than this, before compression");
+  add_max_megabytes(command, max_megabytes_, ", before compression");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 

@@ -99,14 +99,14 @@ Result<FrameNames> FrameNames::from_output(const std::string& output, const std:
     const std::string width = whole.substr(i + 1, end - i - 1);
     const bool legal = end < whole.size() && whole[end] == 'd' &&
                        (width.empty() || (width.size() == 2 && width[0] == '0'));
-    if (!legal) return bad_pattern(output, "the % does not begin a frame number");
-    if (numbered) return bad_pattern(output, "there are two places for the number");
+    if (!legal) return bad_pattern(output, "the name has a % that does not begin a frame number");
+    if (numbered) return bad_pattern(output, "the name has two places for the frame number");
     numbered = true;
     names.digits_ = width.empty() ? 1 : width[1] - '0';
     part = &names.after_;
     i = end;
   }
-  if (!numbered) return bad_pattern(output, "there is no place for the number");
+  if (!numbered) return bad_pattern(output, "the name has no place for the frame number");
   return names;
 }
 

@@ -56,7 +56,7 @@ void add_sequence_options(CLI::App& command, FramesOptions& frames) {
   const std::size_t before = command.get_options().size();
   add_frames_option(command, "--frames", "N|FIRST-LAST/N",
                     "render N pictures: FILE-0001.png and so on, or -o with %04d for the number, "
-                    "or a directory; FIRST-LAST/N: only these of the N",
+                    "or a directory; FIRST-LAST/N: only frames FIRST to LAST of N",
                     [&frames](const std::string& text) { frames.range = parse_frames(text); });
   add_frames_option(command, "--path", "FILE.json",
                     "the camera's path: keyframes (docs/stereo.md has the format)",
@@ -152,7 +152,7 @@ Result<void> check_frames_options(const PictureOptions& picture, bool for_two_ey
   if (const auto legal = check_plot(frames); !legal) return legal;
   if (const auto legal = check_pose(picture.camera, frames); !legal) return legal;
   if (picture.eyes.seen_by) {
-    return fail("--seen-by", "it cannot be used with --frames",
+    return fail("--seen-by", "this layout cannot be used with --frames",
                 "use --stereo pair, which has both eyes' pictures at full size");
   }
   if (!for_two_eyes && (picture.eyes.separation || picture.eyes.window)) {

@@ -33,7 +33,7 @@ class Watch {
 public:
   bool operator()(int depth, JsonEvent event, const nlohmann::json& value) {
     if (event == JsonEvent::object_start || event == JsonEvent::array_start) {
-      if (depth >= kDeepest) problem_ = "brackets are nested too deeply for a camera path";
+      if (depth >= kDeepest) problem_ = "lists or objects are nested too deeply for a camera path";
       if (event == JsonEvent::object_start) keys_.emplace_back();
     } else if (event == JsonEvent::object_end) {
       keys_.pop_back();
@@ -228,7 +228,7 @@ Result<void> read_header(const nlohmann::json& json, CameraPath& path) {
                 "see the format in docs/stereo.md");
   }
   if (json["camera_path"] != kPathVersion) {
-    return fail("\"camera_path\"", "this version of the format is not known",
+    return fail("\"camera_path\"", "only version 1 of the format can be read",
                 fmt::format("write {}", kPathVersion));
   }
   const auto known = check_keys(json, {"camera_path", "interpolation", "keyframes"}, "");
@@ -247,10 +247,10 @@ Result<bool> is_in_all(const nlohmann::json& keyframes, const char* key) {
   const bool first = keyframes[0].contains(key);
   for (std::size_t i = 1; i < keyframes.size(); ++i) {
     if (keyframes[i].contains(key) == first) continue;
-    return fail(
-        fmt::format("keyframe {}, {}", i + 1, quoted(key)),
-        first ? "is missing, and the keyframes before have one" : "the keyframes before have none",
-        "give it in all keyframes or in none");
+    return fail(fmt::format("keyframe {}, {}", i + 1, quoted(key)),
+                first ? "is missing, but the keyframes before this one have one"
+                      : "the keyframes before have none",
+                "give this value in all keyframes or in none");
   }
   return first;
 }
@@ -260,10 +260,10 @@ Result<void> check_order(const CameraPath& path, std::size_t i) {
   const double before = path.keyframes[i - 1].time, at = path.keyframes[i].time;
   if (at - before >= kMinKeyframeGap) return {};
   const std::string_view key = path.clock == PathClock::kFrames ? "frame" : "time";
-  return fail(
-      fmt::format("keyframe {}, {}", i + 1, quoted(key)),
-      fmt::format("is {}, after {} in the keyframe before", number_text(at), number_text(before)),
-      "write the keyframes in order, at least 1e-9 apart");
+  return fail(fmt::format("keyframe {}, {}", i + 1, quoted(key)),
+              fmt::format("is {}, but must be at least 1e-9 above {} in the keyframe before",
+                          number_text(at), number_text(before)),
+              "write the keyframes in order, at least 1e-9 apart");
 }
 
 Result<CameraPath> read_path(const nlohmann::json& json) {

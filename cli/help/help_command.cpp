@@ -52,7 +52,7 @@ int refuse_word(const CLI::App& app, const std::string& word) {
 }  // namespace
 
 void HelpCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand("help", "the options and examples of a subcommand");
+  CLI::App& command = *app.add_subcommand("help", "print the options and examples of a subcommand");
   command.footer(
       "Examples:\n"
       "  glassbox help render\n"

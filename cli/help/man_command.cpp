@@ -201,7 +201,7 @@ std::string man_page(const CommandFacts& program, const std::string& version) {
 }
 
 void ManCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand("man", "the manual page, for man and groff");
+  CLI::App& command = *app.add_subcommand("man", "print the manual page, for man and groff");
   command.footer(
       "Examples:\n"
       "  glassbox man | man -l -\n"

@@ -105,10 +105,10 @@ Result<void> check_triangle(const std::string& what, const Scene& scene, std::ui
 
 Result<void> check_pixel(const std::string& option, PixelPosition pixel, const Size& size) {
   if (pixel.x < size.width && pixel.y < size.height) return {};
-  return fail(
-      fmt::format("{} {},{}", option, pixel.x, pixel.y),
-      fmt::format("the picture has {} x {} pixels, counted from 0", size.width, size.height),
-      "name a pixel in it, or another --size");
+  return fail(fmt::format("{} {},{}", option, pixel.x, pixel.y),
+              fmt::format("the picture has {} x {} pixels, and columns and rows are counted from 0",
+                          size.width, size.height),
+              "name a pixel in it, or another --size");
 }
 
 PixelRect parse_rectangle(const std::string& option, const std::string& text) {
@@ -135,7 +135,8 @@ Rgba8 parse_background(const std::string& text, const std::string& option) {
     if (!(channel >= 0 && channel <= 1)) {
       throw CLI::ValidationError(
           option,
-          fmt::format("needs three numbers from 0 to 1, not '{}'; divide bytes by 255", text));
+          fmt::format("needs three numbers from 0 to 1, not '{}'; divide values of 0 to 255 by 255",
+                      text));
     }
   }
   return {encode_unorm8(float(rgb[0])), encode_unorm8(float(rgb[1])), encode_unorm8(float(rgb[2])),

@@ -77,7 +77,7 @@ Result<Camera> find_camera(const Scene& scene, const std::string& name) {
   }
   if (scene.cameras.empty()) {
     return fail("--camera " + name, "the scene has no cameras",
-                "leave the option out, or use --eye");
+                "leave this option out, or use --eye");
   }
   std::string known;
   for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
@@ -232,8 +232,8 @@ Planes asked_planes(const CameraOptions& options, Planes found, bool parallel) {
 void add_camera_options(CLI::App& app, CameraOptions& options) {
   const std::string group = "Camera";
   app.add_option("--camera", options.camera,
-                 "one of the scene's cameras [the first]; none, or no camera in the scene: the "
-                 "camera is placed so that the whole scene is in view")
+                 "name or index of one of the scene's cameras [the first]; with none, or without "
+                 "cameras in the scene, the whole scene is in view")
       ->type_name("NAME|INDEX|none")
       ->group(group);
   add_numbers(app, "--eye", options.eye, "X,Y,Z", "where the camera stands (world units)")
@@ -242,14 +242,14 @@ void add_camera_options(CLI::App& app, CameraOptions& options) {
               "the point it looks at [the scene's centre]")
       ->group(group);
   add_numbers(app, "--up", options.up, "X,Y,Z",
-              "the direction that points up in the picture; alone, it also puts the whole scene in "
-              "view [0,1,0]")
+              "the direction that points up in the picture; without --eye and --look-at the whole "
+              "scene is in view too [0,1,0]")
       ->group(group);
   add_number(app, "--fov", options.fov_degrees, "DEGREES",
              "full vertical angle of a perspective view [45]")
       ->group(group);
   add_number(app, "--ortho", options.ortho_height, "HEIGHT",
-             "parallel view of this full height (world units)")
+             "use a parallel projection; the view has this full height (world units)")
       ->group(group);
   add_numbers(app, "--frustum", options.frustum, "L,R,B,T",
               "left, right, bottom and top edge of the window on the near plane (see --near), as "

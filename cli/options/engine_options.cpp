@@ -86,8 +86,8 @@ CLI::Option* add_target_option(CLI::App& command, Target& target) {
 void add_engine_options(CLI::App& command, EngineOptions& options) {
   add_choice(command, "--engine", options.engine,
              choices_of({EngineKind::kTile, EngineKind::kStaged}),
-             "the engine that draws: tile is the fast one, staged the reference; both give the "
-             "same bytes [tile]")
+             "the engine that draws: tile is fast, staged is the reference; both give the same "
+             "bytes [tile]")
       ->group(kGroup);
   options.tile_only_options = {
       command
@@ -109,7 +109,7 @@ Result<void> check_engine_options(const EngineOptions& options) {
   for (const CLI::Option* option : options.tile_only_options) {
     if (option->count() == 0) continue;
     return fail(option->get_name(),
-                "it is an option of the tile engine, but --engine staged is given",
+                "this is an option of the tile engine, but --engine staged is given",
                 "leave one of the two out");
   }
   return {};

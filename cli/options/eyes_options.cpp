@@ -44,8 +44,8 @@ void choose_separation(const Scene& scene, const View& centre, const RenderSetti
       largest_half_separation(centre, chosen.pair.window, *seen, {budget, budget}, rule / 2);
   if (bearable >= rule / 2) return;
   chosen.pair.half_separation = bearable;
-  chosen.separation_is_from =
-      fmt::format("the most that keeps parallax at {:g} % of the width", kComfortablePercent);
+  chosen.separation_is_from = fmt::format(
+      "the largest with a parallax of at most {:g} % of the width", kComfortablePercent);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ void add_eyes_options(CLI::App& command, EyesOptions& eyes) {
       ->type_name("D|auto")
       ->group(group);
   add_choice(command, "--seen-by", eyes.seen_by, {{"left", Side::kLeft}, {"right", Side::kRight}},
-             "draw the picture of this eye alone")
+             "draw only the picture of this eye")
       ->group(group);
 }
 

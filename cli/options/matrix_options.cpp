@@ -19,7 +19,7 @@ void take_matrix(const char* option, const std::string& source, std::optional<Nu
                  MatrixOptions& o, GivenMatrix& matrix) {
   if (o.error) return;
   if (source == "-" && o.reads_standard_input) {
-    o.error = Error{"", "--model, --view, --proj", "more than one of them is standard input",
+    o.error = Error{"", "--model, --view, --proj", "several matrices are read from standard input",
                     "put the others into files"};
     return;
   }
@@ -48,8 +48,8 @@ void add_orders(CLI::App& command, MatrixOptions& o) {
       "[as the layout says, else rows]")
       ->group(kMatrixGroup);
   const auto add = [&](const char* name, std::optional<NumberOrder>& order, const char* matrix) {
-    add_choice<std::optional<NumberOrder>>(command, name, order, orders,
-                                           fmt::format("the same, for {} only", matrix))
+    add_choice<std::optional<NumberOrder>>(
+        command, name, order, orders, fmt::format("the same as --order, but only for {}", matrix))
         ->group(kMatrixGroup);
   };
   add("--model-order", o.model_order, "--model");
@@ -106,8 +106,8 @@ void add_conventions(CLI::App& command, MatrixOptions& o) {
   add_choice<std::optional<FrontFaces>>(
       command, "--front", o.front,
       {{"ccw", FrontFaces::kCounterClockwise}, {"cw", FrontFaces::kClockwise}},
-      "what your API takes for front faces: corners that run counter-clockwise on the screen, or "
-      "clockwise [the model's outside]")
+      "which faces are front faces in your API: those whose corners run counter-clockwise on the "
+      "screen, or clockwise [the model's outside]")
       ->group(kMatrixGroup);
 }
 

@@ -18,7 +18,8 @@ CLI::Option* add_html_output(CLI::App& command, std::optional<std::string>& targ
 CLI::Option* add_max_megabytes(CLI::App& command, std::uint32_t& target, const std::string& of) {
   return command
       .add_option("--max-mb", target,
-                  "refuse to write more megabytes" + of + " [" + std::to_string(target) + "]")
+                  "do not write more than this number of megabytes" + of + " [" +
+                      std::to_string(target) + "]")
       ->type_name("N")
       ->group("Limits");
 }

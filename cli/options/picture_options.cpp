@@ -117,8 +117,8 @@ std::optional<double> stretch_of(const PictureOptions& picture) {
 std::vector<std::string> notes_on_projection(const PictureOptions& picture) {
   const NamedSetup named = setup_of(picture.matrices);
   const auto [width, height] = picture.size;
-  std::vector<std::string> notes{
-      fmt::format("--proj is read for {} ({})", named.setup.dialect.title, named.dialect_reason)};
+  std::vector<std::string> notes{fmt::format("--proj is taken as a matrix for {} ({})",
+                                             named.setup.dialect.title, named.dialect_reason)};
   if (const auto stretch = stretch_of(picture)) {
     notes.push_back(
         fmt::format("a picture of {} x {} stretches what --proj draws by {:.3g} in x: its window "
@@ -269,7 +269,7 @@ Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture
   if (!eyes.seen_by) {
     if (!eyes.separation && !eyes.window) return choose_centre(scene, picture);
     return fail(eyes.separation ? "--eye-separation" : "--window",
-                "it needs two eyes, but the picture is for one",
+                "this layout needs two eyes, but the picture is for one",
                 "choose an eye with --seen-by left or --seen-by right");
   }
   return choose_eyes(scene, picture).map([&](const ChosenEyes& chosen) {

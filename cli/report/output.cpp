@@ -62,7 +62,7 @@ Result<void> check_distinct(const std::vector<std::string>& outputs,
     const std::filesystem::path whole = whole_path(path);
     if (read.contains(whole)) {
       return tl::unexpected(
-          Error{path, "", "is an input, and would be overwritten", "name another output"});
+          Error{path, "", "is an input file, which would be overwritten", "name another output"});
     }
     if (!written.insert(whole).second) {
       return tl::unexpected(

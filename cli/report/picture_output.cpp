@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 Result<void> check_stream() {
   if (::isatty(STDOUT_FILENO) != 1) return {};
-  return fail("-o -", "standard output is a terminal",
-              "redirect it: > picture.png, or | another program");
+  return fail("-o -", "standard output is a terminal, which cannot show a picture",
+              "redirect standard output: > picture.png, or | another program");
 }
 
 Result<void> write_stream(std::span<const std::byte> bytes) {
@@ -50,8 +50,8 @@ Result<void> check_picture_output(const std::string& output,
                                   const std::string& usual) {
   if (output == "-") return check_stream();
   if (format) {
-    return fail("--format", "the extension of the output already gives the format",
-                "leave it out, or give -o -");
+    return fail("--format", "the extension of the output file already gives the format",
+                "leave this option out, or give -o -");
   }
   return check_file(output, usual);
 }

@@ -48,14 +48,15 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   const std::uint64_t vertices = s.vertices + s.moved_in_x;
   text +=
       row("object -> clip space", vertices, vertices,
-          s.moved_in_x > 0 ? "vertices; only x is computed anew for the second eye" : "vertices");
+          s.moved_in_x > 0 ? "vertices are transformed; for the second eye only x is computed again"
+                           : "vertices");
   if (s.culled_early > 0) {
     text += row("cull in object space", drawable, drawable - s.culled_early,
                 with_separators(s.culled_early) + " turned away for certain");
   }
   std::string clipping = with_separators(s.rejected + s.clipped_away) + " outside";
   if (s.clipped > 0) clipping += ", " + with_separators(s.clipped) + " cut";
-  if (tile) clipping += "; those outside the picture are removed after the cull";
+  if (tile) clipping += "; those outside the picture are removed after culling";
   text += row("clip", drawable - s.culled_early, s.after_clipping, clipping);
   text += row("divide, viewport, snap", s.after_clipping, s.after_clipping - s.zero_area,
               with_separators(s.zero_area) + " without area on the screen");
@@ -65,7 +66,7 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
     text += row("lines and points", s.lines + s.points, s.lines + s.points, "");
   }
   text += row("coverage", s.set_up, s.covered,
-              tile ? "triangles in, fragments out; hidden blocks are not counted"
+              tile ? "triangles in, fragments out; fragments of hidden blocks are not counted"
                    : "triangles in, fragments out");
   text += row("depth test", s.covered, s.covered - s.depth_failed,
               with_separators(s.depth_failed) + " behind");
@@ -76,7 +77,7 @@ std::string stage_table(const Statistics& s, EngineKind engine) {
   if (tile) {
     text += wrapped("  texture, light: ",
                     "computed once for each visible pixel (with several samples, once for each "
-                    "triangle that they show) and for each blended fragment");
+                    "triangle that the samples show) and for each blended fragment");
   }
   return text;
 }

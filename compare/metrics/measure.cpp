@@ -7,7 +7,7 @@
 namespace glassbox {
 namespace {
 
-constexpr auto kNothingCompared = "no pixel is compared";
+constexpr auto kNothingCompared = "there is no pixel to compare";
 
 // The reason why SSIM cannot be computed for these pictures; empty if it can.
 std::string why_no_ssim(const PicturePair& pair) {

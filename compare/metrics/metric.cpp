@@ -86,7 +86,8 @@ Result<Word> parse_word(std::string_view word) {
 Result<void> check_direction(const KnownMetric& known, const Word& word, std::string_view text) {
   const bool larger = known.better == Better::kLarger;
   if (!word.limit || wants_larger(word.limit->kind) == larger) return {};
-  return fail("--metric", fmt::format("'{}' lets bad pictures pass and refuses good ones", text),
+  return fail("--metric",
+              fmt::format("the limit '{}' would accept bad pictures and refuse good ones", text),
               fmt::format("{} is better for {}: write {}{}{}", larger ? "larger" : "smaller",
                           word.name, word.name, larger ? '>' : '<', word.limit->value));
 }

@@ -34,7 +34,7 @@ Result<void> approve_picture(const std::string& reference, const std::string& te
   const std::string test_kind = fs::path(test).extension().string();
   if (kind != test_kind) {
     return tl::unexpected(Error{test, "",
-                                "a " + in_quotes(test_kind) + " file cannot become the " +
+                                "a " + in_quotes(test_kind) + " file cannot replace the " +
                                     in_quotes(kind) + " file " + in_quotes(reference),
                                 "give both names the same extension"});
   }

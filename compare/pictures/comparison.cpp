@@ -158,7 +158,7 @@ Result<Selection> selection_of(const StoredImage& reference, const std::vector<P
     }
   }
   if (selection.compared_pixels() == 0) {
-    return fail("", "every pixel is left out, so nothing is compared",
+    return fail("", "all pixels are left out, so there is nothing to compare",
                 "make --ignore or --mask smaller");
   }
   return selection;

@@ -60,7 +60,7 @@ std::string stale_tolerance_text(const ComparisonRules& rules, const Differences
   const auto& [fuzzy, max_ulp] = rules.options.tolerance;
   if (found.differing == 0) {
     const bool leaves_out = !rules.options.ignore.empty() || !rules.options.mask.empty();
-    return "stale: the tolerance of " + rules.sidecar_path + " is not needed: delete " +
+    return "out of date: the tolerance of " + rules.sidecar_path + " is not needed: delete " +
            (leaves_out ? "its lines" : "the file");
   }
   const bool wide_fuzzy = fuzzy && (found.largest < fuzzy->max_difference.highest ||

@@ -40,7 +40,8 @@ std::string differences_text(const PicturePair& pair, const Differences& found) 
 }
 
 std::string suggested_fuzzy(const Differences& found) {
-  if (found.largest == kUnbounded) return "none allows NaN or an infinity in place of a number";
+  if (found.largest == kUnbounded)
+    return "no --fuzzy allows NaN or an infinity in place of a number";
   return to_string(tightest_fuzzy(found));
 }
 

@@ -11,21 +11,26 @@ namespace glassbox {
 namespace {
 
 constexpr NamedChoice<Glasses> kGlasses[] = {
-    {Glasses::kRedCyan, "red-cyan", "left eye red, right eye green and blue"},
-    {Glasses::kGreenMagenta, "green-magenta", "left eye green, right eye red and blue"},
-    {Glasses::kAmberBlue, "amber-blue", "left eye red and green, right eye blue"},
+    {Glasses::kRedCyan, "red-cyan",
+     "the left lens is red, the right one lets green and blue through"},
+    {Glasses::kGreenMagenta, "green-magenta",
+     "the left lens is green, the right one lets red and blue through"},
+    {Glasses::kAmberBlue, "amber-blue",
+     "the left lens lets red and green through, the right one is blue"},
 };
 
 constexpr NamedChoice<AnaglyphMethod> kMethods[] = {
-    {AnaglyphMethod::kMask, "mask", "each channel from the eye it belongs to, full colour"},
-    {AnaglyphMethod::kTrue, "true", "luma, one channel an eye: dark, no colour"},
-    {AnaglyphMethod::kGrey, "grey", "luma in all channels: no colour, no rivalry"},
-    {AnaglyphMethod::kHalf, "half", "luma for the eye with one channel, colours for the other"},
+    {AnaglyphMethod::kMask, "mask",
+     "each channel comes from the eye whose lens lets it through; keeps all colours"},
+    {AnaglyphMethod::kTrue, "true", "each eye's luma in one channel; dark, without colours"},
+    {AnaglyphMethod::kGrey, "grey", "each eye's luma in all its channels; no colours, no rivalry"},
+    {AnaglyphMethod::kHalf, "half", "luma for the eye with one channel, colours for the other eye"},
     {AnaglyphMethod::kOptimised, "optimised",
-     "red made of green and blue, red-cyan only: almost no rivalry, no reds"},
-    {AnaglyphMethod::kDubois, "dubois", "closest colours by least squares, LCD screens (2009)"},
+     "red is mixed from green and blue; almost no rivalry, but no reds; only for red-cyan"},
+    {AnaglyphMethod::kDubois, "dubois",
+     "the closest colours by least squares, for LCD screens (Dubois 2009)"},
     {AnaglyphMethod::kDubois2001, "dubois2001",
-     "closest colours by least squares, CRT screens (2001), red-cyan only"},
+     "the closest colours by least squares, for CRT screens (Dubois 2001); only for red-cyan"},
 };
 
 using Row = std::array<float, 6>;
@@ -114,7 +119,7 @@ Result<AnaglyphMatrix> only_red_cyan(AnaglyphMethod method, Glasses glasses,
                                      const AnaglyphMatrix& matrix) {
   if (glasses == Glasses::kRedCyan) return matrix;
   return fail("anaglyph",
-              fmt::format("{} has a matrix for red-cyan glasses only, not for {}", name_of(method),
+              fmt::format("{} has a matrix only for red-cyan glasses, not for {}", name_of(method),
                           name_of(glasses)),
               "choose dubois, which has a matrix for each kind of glasses");
 }

@@ -15,9 +15,9 @@ namespace glassbox {
 namespace {
 
 constexpr NamedChoice<Cable> kCables[] = {
-    {Cable::kComponent, "component", "luma and chroma apart, chroma a little soft"},
-    {Cable::kSVideo, "s-video", "luma and chroma apart, chroma blurred"},
-    {Cable::kComposite, "composite", "luma and chroma in one signal, each leaking into the other"},
+    {Cable::kComponent, "component", "luma and chroma are separate, chroma is slightly blurred"},
+    {Cable::kSVideo, "s-video", "luma and chroma are separate, chroma is blurred"},
+    {Cable::kComposite, "composite", "luma and chroma share one signal and disturb each other"},
 };
 
 constexpr double kSampling = 13.5;                // MHz

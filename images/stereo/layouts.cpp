@@ -13,9 +13,9 @@ namespace {
 
 constexpr NamedChoice<StereoLayout> kLayouts[] = {
     {StereoLayout::kPair, "pair", "side by side at full size, left eye on the left"},
-    {StereoLayout::kOverUnder, "over-under", "one over the other at full size, left eye above"},
+    {StereoLayout::kOverUnder, "over-under", "one above the other at full size, left eye above"},
     {StereoLayout::kCrossEyed, "cross-eyed", "side by side at full size, right eye on the left"},
-    {StereoLayout::kInterlaced, "interlaced", "row by row, the left eye has the even rows"},
+    {StereoLayout::kInterlaced, "interlaced", "row by row; the left eye has the even rows"},
 };
 
 void copy_row(const Image<Rgba8>& from, int from_y, Image<Rgba8>& to, int to_x, int to_y) {

@@ -154,7 +154,7 @@ Result<void> check_recolour(const Recolour& recolour) {
   const auto is_strength = [](double value) { return value >= 0 && value <= 1; };
   if (is_strength(recolour.desaturate) && is_strength(recolour.brighten)) return {};
   return fail("recolour",
-              fmt::format("desaturation {} and brightening {} are not both in [0, 1]",
+              fmt::format("desaturation is {} and brightening is {}, but both must be in [0, 1]",
                           recolour.desaturate, recolour.brighten),
               "give strengths from 0 (none) to 1 (all)");
 }

@@ -22,12 +22,11 @@ Result<Image<std::uint8_t>> information_map(const Image<Rgba8>& left, const Imag
     return tl::unexpected(checked.error());
   }
   if (!(limits.gradient >= 0) || !(limits.disparity >= 0)) {
-    return fail(
-        "stereo information",
-        fmt::format(
-            "the limits of the gradient, {}, and of the disparity, {}, are not both at least 0",
-            limits.gradient, limits.disparity),
-        "give the gradient in bytes per pixel and the disparity in pixels");
+    return fail("stereo information",
+                fmt::format("the limit of the gradient is {} and that of the disparity is {}, but "
+                            "both must be at least 0",
+                            limits.gradient, limits.disparity),
+                "give the gradient in bytes per pixel and the disparity in pixels");
   }
   Image<std::uint8_t> marks(left.width, left.height, 0);
   for (int y = 0; y < left.height; ++y) {

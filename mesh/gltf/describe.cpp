@@ -83,7 +83,7 @@ Result<json> describe(const Camera& camera) {
                                  {"znear", orthographic->near},
                                  {"zfar", orthographic->far}};
   } else {
-    return fail("", "is given by the edges of a window, which glTF cannot hold",
+    return fail("", "is given by the sides of a window, which glTF cannot store",
                 "use a symmetric perspective camera");
   }
   return described;

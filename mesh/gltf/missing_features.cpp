@@ -158,7 +158,8 @@ void warn_about_unused_entries(Asset& asset, const NodeTree& tree) {
   add(missing(referenced.meshes), "mesh", "meshes");
   add(missing(referenced.cameras), "camera", "cameras");
   add(missing(referenced.lights), "light", "lights");
-  if (!named.empty()) asset.warn("in the file, but not in the scene that is drawn: " + named);
+  if (!named.empty())
+    asset.warn("the scene that is drawn does not contain these parts of the file: " + named);
 }
 
 // A picture shows the first camera if no other one is requested.

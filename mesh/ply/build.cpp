@@ -336,7 +336,7 @@ private:
     std::vector<Rgba>& colors = built_.mesh.colors;
     const bool all_clear = std::ranges::all_of(colors, [](const Rgba& c) { return c.a == 0; });
     if (!colors.empty() && all_clear) {
-      warnings_.add("the alpha of all colours is 0 and was ignored: the mesh is drawn opaque");
+      warnings_.add("the alpha of all colours is 0; it was ignored, and the mesh is drawn opaque");
       for (Rgba& color : colors) color.a = 1;
     }
     built_.translucent = std::ranges::any_of(colors, [](const Rgba& c) { return c.a < 1; });

@@ -93,7 +93,8 @@ Result<ClipSkew> clip_skew_of_pair(const View& centre, const StereoPair& pair) {
   skew.focus = centre.perspective ? depth.offset / pair.window - depth.scale
                                   : depth.offset - depth.scale * pair.window;
   if (skew.focus == 0) {
-    return fail("stereo window", "its depth is 0, which a skew in clip space cannot hold still",
+    return fail("stereo window",
+                "its depth is 0, and a skew in clip space moves all points of depth 0",
                 "move the window off that plane, or skew in eye space");
   }
   skew.shift = -pair.half_separation * centre.clip_from_eye.at(0, 0) * skew.focus /

@@ -40,16 +40,17 @@ Result<void> check_separation(const View& centre, const StereoPair& pair) {
   const std::string cause = "half of it is " + number_text(s);
   if (!std::isfinite(s)) return fail("eye separation", cause, "give a finite number");
   if (s < 0) {
-    return fail("eye separation", cause + ", which exchanges the eyes: near would look far",
+    return fail("eye separation",
+                cause + ", which exchanges the eyes, so that near objects would look far",
                 "give a positive number");
   }
   const double half_width = window_half_width(centre, pair.window);
   if (s > half_width) {
     return fail("eye separation",
-                cause + ", but half of the picture at the window is only " +
+                cause + ", but half of the picture's width at the window is only " +
                     number_text(half_width) +
-                    " wide, so distant things are in one eye's picture alone",
-                "give less; a usual separation is a thirtieth of the window's distance");
+                    ", so distant objects would be in only one eye's picture",
+                "give a smaller separation; a thirtieth of the window's distance is usual");
   }
   return {};
 }
@@ -62,8 +63,9 @@ Result<void> check_float_range(const View& eye) {
         (size >= std::numeric_limits<float>::min() && size <= std::numeric_limits<float>::max()))
       continue;
     return fail("eye separation",
-                "it makes the matrix entry (0, " + std::to_string(column) + ") " +
-                    number_text(eye.clip_from_eye.at(0, column)) + ", outside of what float holds",
+                "with it the matrix entry (0, " + std::to_string(column) + ") is " +
+                    number_text(eye.clip_from_eye.at(0, column)) +
+                    ", which is too large or too small for a float",
                 "choose a separation and a window of more ordinary size, or 0 for no stereo");
   }
   return {};

@@ -96,7 +96,7 @@ Decision duplicate_vertices(const Subject& s) {
   const std::size_t positions = s.draw.mesh->positions.size();
   const std::string numbers = fmt::format("{} corners, {} positions", corners, positions);
   if (corners <= positions) {
-    return needed(kStage, "no position is shared by two corners, or not all positions are drawn",
+    return needed(kStage, "no two corners share a position, or not all positions are drawn",
                   numbers);
   }
   return left_out(kStage,
@@ -234,7 +234,7 @@ Decision light(const Subject& s) {
                             ? "at the vertices, because of flat or Gouraud shading"
                         : blended
                             ? "for every fragment that passes the depth test, because it is blended"
-                            : "only for fragments that a pixel shows");
+                            : "only for fragments that are visible at a pixel");
 }
 
 Decision highlights(const Subject& s) {

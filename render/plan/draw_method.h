@@ -9,7 +9,7 @@
 namespace glassbox {
 
 // The reason given for a stage that runs although a proof would allow leaving it out.
-inline constexpr const char* kNoPlan = "--no-plan: it runs, whether needed or not";
+inline constexpr const char* kNoPlan = "--no-plan: it is computed, whether needed or not";
 
 // How one draw is drawn. The fields that end in _because give a reason, or are null.
 struct DrawMethod {

@@ -58,7 +58,7 @@ TEST_CASE("boxes and masks leave pixels out, alone and together") {
   check_refused(two.diff("--mask wide.png"), {"wide.png", "25 x 18", "24 x 18"});
   check_refused(two.diff("--mask none.png"), {"none.png"});
   check_refused(two.diff("--ignore 24,0,1x1"), {"24,0,1x1", "outside"});
-  check_refused(two.diff("--ignore 0,0,24x18"), {"nothing is compared"});
+  check_refused(two.diff("--ignore 0,0,24x18"), {"there is nothing to compare"});
 }
 
 TEST_CASE("a metric is reported, and decides only with a limit") {

@@ -292,7 +292,7 @@ TEST_CASE("bad usage exits with 2, says on one line what is wrong, and writes no
       {"render cube --samples -4", "--samples"},
       {"render cube --samples 32", "--samples"},
       {"render cube --samples four", "--samples"},
-      {"render cube --background 0,0,256", "divide bytes by 255"},
+      {"render cube --background 0,0,256", "divide values of 0 to 255 by 255"},
       {"render cube --json", "--json"},
       {"info", "SCENE"},
       {"info cube --bogus", "--bogus"}};

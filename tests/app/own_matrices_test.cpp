@@ -53,7 +53,7 @@ TEST_CASE("render draws a mesh with the user's matrices as with the same camera"
   CHECK(json["pictures"][0]["differences"]["differing_pixels"].get<int>() < 30);
   const Outcome info = run(here, "render cube --view view.txt --proj proj.txt --json - -o big.png");
   CHECK(Json::parse(info.out)["width"] == 1280);
-  CHECK(contains(info.err, "--proj is read for OpenGL"));
+  CHECK(contains(info.err, "--proj is taken as a matrix for OpenGL"));
 }
 
 TEST_CASE("every command that looks at a picture takes the user's matrices") {
@@ -128,7 +128,7 @@ TEST_CASE("matrices and what contradicts them are refused with the option's name
   };
   CHECK(contains(from_proj("render - --proj -"), "the scene and a matrix are both standard input"));
   CHECK(contains(from_proj("render cube --view - --proj -"),
-                 "more than one of them is standard input"));
+                 "several matrices are read from standard input"));
 }
 
 TEST_CASE("what was chosen for the matrices is said: the dialect, a stretched picture, a mirror") {

@@ -290,8 +290,9 @@ TEST_CASE("every command that takes a pixel refuses the same ones in the same wo
     }
     for (const char* place : {"40,0", "0,30", "2147483647,2147483647"}) {
       CHECK(refusal(place).find(std::string(place) +
-                                ": the picture has 40 x 30 pixels, counted from 0; name a pixel "
-                                "in it, or another --size") != std::string::npos);
+                                ": the picture has 40 x 30 pixels, and columns and rows are "
+                                "counted from 0; name a pixel in it, or another --size") !=
+            std::string::npos);
     }
   }
   CHECK(here.names().empty());

@@ -162,7 +162,7 @@ TEST_CASE("where nothing is left to compare there is no verdict") {
   const StoredImage reference = blank(6, 4, 3, Format::kBytes);
   const auto all = selection_of(reference, {{0, 0, 3, 4}, {3, 0, 3, 4}}, "");
   REQUIRE(!all);
-  CHECK(all.error().cause.find("nothing is compared") != std::string::npos);
+  CHECK(all.error().cause.find("there is nothing to compare") != std::string::npos);
   CHECK(selection_of(reference, {{0, 0, 3, 4}, {3, 0, 2, 4}}, ""));
 }
 

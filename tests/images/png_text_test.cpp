@@ -114,7 +114,7 @@ TEST_CASE("a text with the wrong check sum is an error, whichever bit is wrong")
     } else {
       REQUIRE_FALSE(entries);
       CHECK(entries.error().message() ==
-            "PNG text: a text has the wrong check sum; save the image again");
+            "PNG text: the checksum of a text is wrong; save the image again");
     }
   }
 }

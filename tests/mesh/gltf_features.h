@@ -195,7 +195,7 @@ inline bool is_drawn_or_warned_about(const GltfFeature& feature, const Scene& sc
     return scene.cameras.size() == feature.count && (feature.count == 1 || named(n + " cameras"));
   }
   if (feature.what == "other scene")
-    return named("not in the scene that is drawn: " + n + " scene");
+    return named("does not contain these parts of the file: " + n + " scene");
   if (feature.what == "mesh elsewhere") return named(n + " mesh");
   static const std::set<std::string> kDrawn{
       "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit",

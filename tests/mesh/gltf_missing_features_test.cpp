@@ -108,8 +108,8 @@ TEST_CASE("what stands outside the scene that is drawn is counted, and cameras b
   b.document["nodes"].push_back({{"camera", 2}});
   b.document["scenes"] = {{{"nodes", {0, 2, 3}}}, {{"nodes", json::array({1})}}};
   check_warnings(b, {"2 cameras: the first one is used, unless another one is chosen",
-                     "in the file, but not in the scene that is drawn: 1 scene, 1 node with a "
-                     "mesh, camera or light, 1 mesh, 1 camera"});
+                     "the scene that is drawn does not contain these parts of the file: 1 scene, 1 "
+                     "node with a mesh, camera or light, 1 mesh, 1 camera"});
 }
 
 TEST_CASE("an extension that is not known is named with its places, listed by the file or not") {

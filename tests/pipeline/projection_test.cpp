@@ -313,9 +313,8 @@ TEST_CASE("near <= 0, near = far, near > far and NaN are refused by name (C-09)"
     }
   }
   CHECK(perspective_degrees(60, 1, {2, 1}).error().message() ==
-        "far plane: its distance 1 is less than the near plane's 2; exchange the two; for depth 1 "
-        "at the near plane "
-        "choose the reversed range");
+        "far plane: its distance 1 is less than the near plane's 2; exchange the two planes; for "
+        "depth 1 at the near plane choose the reversed range");
   CHECK(perspective_degrees(60, 1, {1e-30, 10}));
   CHECK(orthographic({}, {-5, 5}));
   for (const DepthPlanes& planes :

@@ -128,7 +128,7 @@ TEST_CASE("no output of klt is an input or another output") {
     const Outcome outcome = here.run(std::string("views klt ") + words);
     INFO(words << ": " << outcome.err);
     CHECK(outcome.exit_code == 2);
-    CHECK(outcome.err.find("is an input, and would be overwritten") != std::string::npos);
+    CHECK(outcome.err.find("is an input file, which would be overwritten") != std::string::npos);
   }
   CHECK(here.read("ki/components.img") == before);
   const Outcome twice = here.run("views klt clouds:32 -o ki --json ki/band1.png");
