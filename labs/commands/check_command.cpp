@@ -104,10 +104,10 @@ void add_options(CLI::App& command, CheckOptions& options, LabSelection& selecti
   command.add_option("--memory-limit", options.memory_mib, "memory limit of a check, in MiB")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20))
       ->capture_default_str();
-  add_choice(
-      command, "--sandbox", options.confinement,
-      choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
-      "use this sandbox or refuse to run; by default the strongest that works on this machine");
+  add_choice(command, "--sandbox", options.confinement,
+             choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
+             "use this sandbox, or refuse to run if it does not work; by default the strongest one "
+             "that works on this machine");
 }
 
 // Calls `act` at once and after every save of the file, until the program is ended.

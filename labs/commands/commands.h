@@ -7,7 +7,7 @@
 namespace glassbox::labs {
 
 inline constexpr CommandName kCommands[] = {
-    {"lab", "assignments: start one, check it, hand one out"},
+    {"lab", "programming assignments: start one, check it, or hand one out"},
 };
 
 void add_commands(CLI::App& app, int& exit_code);

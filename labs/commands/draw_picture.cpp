@@ -123,11 +123,11 @@ int draw_lab_picture(const LabPictureRequest& request) {
   }
   progress.done();
   if (request.json != "-")
-    fmt::print(
-        "{}{}: yours on the left, the reference's {}; {:.1f} s\n", drawing_text(report),
-        printable(request.output, kLongestMessage),
-        both->result.truth ? "beside it, then the pipeline's picture of the scene" : "on the right",
-        report.seconds);
+    fmt::print("{}{}: yours on the left, the reference's {}; {:.1f} s\n", drawing_text(report),
+               printable(request.output, kLongestMessage),
+               both->result.truth ? "beside it, and then the pipeline's picture of the scene"
+                                  : "on the right",
+               report.seconds);
   return both->result.right() ? kSuccess : kFailure;
 }
 

@@ -67,10 +67,10 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
       "the number of the lab; not needed if a submission is a folder made by `lab start`");
   add_lab_dir(command, lab_dir_)->excludes("--lab");
   command.add_flag("--one", one_,
-                   "SUBMISSIONS is one submission; several such gradings may run at the same time");
+                   "SUBMISSIONS is one submission; several such commands may run at the same time");
   auto* vary = command.add_flag(
       "--vary", vary_,
-      "give each submission its own inputs of the hidden checks, which follow from its name");
+      "give each submission its own inputs for the hidden checks, computed from its name");
   command
       .add_option(
           "--name", name_,
@@ -106,10 +106,10 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
       .add_option("--memory-limit", memory_mib_,
                   "memory limit of each check, in MiB; by default 512")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
-  add_choice(
-      command, "--sandbox", confinement_,
-      choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
-      "use this sandbox or refuse to run; by default the strongest that works on this machine");
+  add_choice(command, "--sandbox", confinement_,
+             choices_of({Confinement::kBubblewrap, Confinement::kLandlock, Confinement::kLimits}),
+             "use this sandbox, or refuse to run if it does not work; by default the strongest one "
+             "that works on this machine");
   command
       .add_option(
           "--kit", kit_,
@@ -153,7 +153,8 @@ Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
   for (const Submission& each : submissions) {
     if (const labs::Lab* lab = lab_of_folder(labs_(), sources, each.path)) return lab;
   }
-  return fail("--lab", "which lab this is, is not known: no submission has the student.h of a lab",
+  return fail("--lab",
+              "it is not known which lab this is: no submission has the student.h of a lab",
               "give --lab and the lab's number: " + there);
 }
 

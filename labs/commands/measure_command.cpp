@@ -109,9 +109,9 @@ std::string table_of(const ExperimentResult& part, const std::vector<std::string
 // The text in place of the table if the student's functions give no point at all.
 std::string unwritten_text(const labs::Lab& lab, const labs::LabMeasure& measured) {
   return fmt::format("Lab {} in {}\n", lab.number, measured.experiment) +
-         wrapped("  Not written yet: ",
-                 measured.functions +
-                     "; they answer as the starter's functions do. Nothing was measured.");
+         wrapped("  Not written yet: ", measured.functions +
+                                            "; they give the same answers as the starter's "
+                                            "functions, so nothing was measured.");
 }
 
 // A table of the student's points, which also says for each whether one of the experiment's own
@@ -132,9 +132,8 @@ std::string measure_text(const labs::Lab& lab, const labs::LabMeasure& measured,
     text += "\n" + wrapped("  Not written yet, and not measured: ",
                            fmt::format("{}", fmt::join(untouched, "; ")));
   return text +
-         "\nfront: no other point of the chart is as exact there and clearly faster; behind X: X "
-         "is as exact\n"
-         "there and clearly faster.\n";
+         "\nfront: no other point of the chart is at least as exact and clearly faster; behind X: "
+         "X is at least\nas exact and clearly faster.\n";
 }
 
 class LabMeasureCommand {
@@ -190,10 +189,10 @@ int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim
           std::FILE* out) {
   const auto found = labs::contradictions(claimed, measured);
   if (found.empty()) {
-    fmt::print(
-        out,
-        "{}: agrees with this measurement: the same {}, and no two times in the opposite order\n",
-        printable(path), counted(measured.points.size(), "error"));
+    fmt::print(out,
+               "{} agrees with this measurement: it has the same {}, and no two times are in the "
+               "opposite order\n",
+               printable(path), counted(measured.points.size(), "error"));
     return kSuccess;
   }
   for (const std::string& each : found)

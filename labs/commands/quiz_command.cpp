@@ -86,7 +86,7 @@ int grade(const Quiz& quiz, const std::vector<bool>& answers) {
 
 void LabQuizCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand(
-      "quiz", "true or false? statements of the slides on the subject of a lab");
+      "quiz", "asks which statements of the slides on a lab's subject are true");
   command.footer(
       "Examples:\n"
       "  glassbox lab quiz 2              # the statements\n"

@@ -92,7 +92,7 @@ std::string suggestion(std::vector<std::string> words, const std::string& lab_di
 }  // namespace
 
 void LabStartCommand::add_to(CLI::App& lab, int& exit_code) {
-  CLI::App& command = *lab.add_subcommand("start", "makes a folder to do a lab in");
+  CLI::App& command = *lab.add_subcommand("start", "makes a folder with the files to start a lab");
   command.footer(
       "Examples:\n"
       "  glassbox lab start 5 ~/lab5\n"
@@ -135,8 +135,8 @@ int LabStartCommand::run() const {
 }
 
 void LabExportCommand::add_to(CLI::App& lab, int& exit_code) {
-  CLI::App& command =
-      *lab.add_subcommand("export", "packs the starter of a lab as an archive, to hand out");
+  CLI::App& command = *lab.add_subcommand(
+      "export", "packs the files that students start a lab with into an archive, to hand out");
   command.footer(
       "Examples:\n"
       "  glassbox lab export 5 -o starter.zip\n"

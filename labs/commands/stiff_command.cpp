@@ -199,11 +199,11 @@ std::string report_text(const labs::Lab& lab, const std::vector<StiffCase>& case
                         extreme.unit);
   }
   text +=
-      "\n! marks an error above its bound. Naive code is measured by itself, without a picture.\n";
+      "\nA ! marks an error above its bound. Naive code is measured alone, without a picture.\n";
   for (const StiffCase& each : cases) {
     if (each.out_of_reach())
       text += fmt::format(
-          "{}: the reference is above the bound too, because student.h asks for less "
+          "{}: the reference's error is above the bound too, because student.h asks for less "
           "accuracy.\n",
           each.extreme_case->id);
     if (!each.gives_up()) continue;
@@ -213,7 +213,9 @@ std::string report_text(const labs::Lab& lab, const std::vector<StiffCase>& case
   }
   if (!not_drawn.empty())
     text += fmt::format(
-        "Not tried with your functions, because no picture of this lab shows it: {}.\n", not_drawn);
+        "These cases were not tried with your functions, because no picture of this lab shows "
+        "them: {}.\n",
+        not_drawn);
   return text;
 }
 
@@ -243,7 +245,7 @@ Json report_json(const labs::Lab& lab, const std::vector<StiffCase>& cases) {
 
 void LabStiffCommand::add_to(CLI::App& lab, int& exit_code) {
   CLI::App& command = *lab.add_subcommand(
-      "stiff", "draws a lab's extreme cases with your functions, and says where they fail");
+      "stiff", "draws a lab's extreme cases with your functions, and says which cases they fail");
   command.footer(
       "Examples:\n"
       "  glassbox lab stiff ~/lab6\n\n"
@@ -277,7 +279,7 @@ int LabStiffCommand::run() const {
   if (!cases) return refuse(cases.error());
   if (!drawing || cases->empty())
     return refuse({selection_.folder, "", "this lab has no extreme cases to draw",
-                   "name the folder of a lab that has some (docs/labs.md)"});
+                   "name the folder of a lab that has extreme cases (docs/labs.md)"});
   Progress progress;
   StudentStages stages;
   if (const auto built = stages.build(*sources, *folder, progress); !built)

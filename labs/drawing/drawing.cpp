@@ -68,7 +68,7 @@ Result<void> check_opaque(const Scene& scene, const std::string& lab) {
     if (material.alpha_mode != AlphaMode::kOpaque)
       return fail(
           "the scene",
-          "some of its surfaces are transparent, or parts of them are cut out by their alpha",
+          "some surfaces of the scene are transparent, or parts of them are cut out by their alpha",
           lab + " draws opaque surfaces only: name a scene that has no others");
   }
   return {};

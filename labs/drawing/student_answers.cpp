@@ -169,9 +169,10 @@ Result<std::vector<Numbers>> StudentAnswers::ask_batch(const DrawnStage& stage, 
   }
   constexpr int kThrew = 3;  // the exit code in stages_main.cpp
   const bool threw = outcome.ending == RunOutcome::Ending::kExit && outcome.code == kThrew;
-  const std::string how = threw  ? outcome.printed.substr(0, outcome.printed.find('\n'))
-                          : well ? "something other than an answer was written among the answers"
-                                 : ending_text(outcome, {limits_.seconds, limits_.output_bytes, 0});
+  const std::string how =
+      threw  ? outcome.printed.substr(0, outcome.printed.find('\n'))
+      : well ? "the program that runs your functions wrote something other than an answer"
+             : ending_text(outcome, {limits_.seconds, limits_.output_bytes, 0});
   std::string text = fmt::format("{}: {}", stage.functions, how);
   const std::size_t begun = file.begun(batch.size());
   if (begun == 0 && !outcome.printed.empty()) text += ": " + outcome.printed.substr(0, 500);

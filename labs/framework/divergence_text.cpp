@@ -34,7 +34,8 @@ std::string actual_text(const Divergence& found) {
 }
 
 std::string distance_text(const Divergence& found) {
-  if (found.kind == Divergence::Kind::kNotANumber) return "none: no distance to NaN is defined";
+  if (found.kind == Divergence::Kind::kNotANumber)
+    return "none, because a distance to NaN is not defined";
   std::string text =
       fmt::format("{:.6g}{}{}", found.distance, found.unit.empty() ? "" : " ", found.unit);
   const bool counted = found.unit.empty() && is_whole(found.expected) && is_whole(found.actual);

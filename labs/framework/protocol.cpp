@@ -69,7 +69,7 @@ void read_line(std::string_view line, std::size_t number, CheckAnswers& answers)
     answer.state = CaseAnswer::State::kMalformed;
     answer.text = why;
   };
-  if (answer.state != CaseAnswer::State::kMissing) return refuse("the case is answered twice");
+  if (answer.state != CaseAnswer::State::kMissing) return refuse("this case is answered twice");
   const auto threw = json.find("threw");
   const auto fields = json.find("fields");
   if ((threw != json.end()) == (fields != json.end()))

@@ -87,15 +87,16 @@ std::string ending_text(const RunOutcome& outcome, const RunLimits& limits) {
                          name != nullptr ? name : "?", what != nullptr ? what : "unknown", detail);
     }
     case Ending::kTimeout:
-      return fmt::format("still running after {} seconds{}", limits.seconds, detail);
+      return fmt::format("the program was still running after {} seconds{}", limits.seconds,
+                         detail);
     case Ending::kTooMuchOutput:
-      return !outcome.detail.empty()
-                 ? outcome.detail
-                 : fmt::format("it wrote more than {} MiB of answers", limits.output_bytes >> 20);
+      return !outcome.detail.empty() ? outcome.detail
+                                     : fmt::format("the program wrote more than {} MiB of answers",
+                                                   limits.output_bytes >> 20);
     case Ending::kOutOfMemory:
-      return "it used more memory than is allowed" + detail;
+      return "the program used more memory than is allowed" + detail;
     case Ending::kForbidden:
-      return "it made a forbidden system call" + detail;
+      return "the program made a forbidden system call" + detail;
     case Ending::kNotStarted:
       return "the program could not be started" + detail;
   }

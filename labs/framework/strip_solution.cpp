@@ -99,7 +99,7 @@ private:
     if (region_ != Region::kNone)
       return error(fmt::format("{} begins inside the one that begins in line {}",
                                region_name(region), opened_),
-                   "end the outer one first: such parts cannot be nested");
+                   "end the part that began first: such parts cannot be nested");
     region_ = region;
     opened_ = number_;
     stubs_ = 0;
@@ -108,11 +108,11 @@ private:
 
   Result<void> end(Region region) {
     if (region_ != region)
-      return error(fmt::format("{} ends here, but has no beginning", region_name(region)),
+      return error(fmt::format("{} ends here, but does not begin anywhere", region_name(region)),
                    fmt::format("open it with // BEGIN {}", marker_word(region)));
     if (region == Region::kSolution && stubs_ == 0) {
       number_ = opened_;
-      return error("a solution has no stub",
+      return error("a solution has no // STUB: line",
                    "write after // STUB: what students get instead of the solution, such as // "
                    "STUB: return {};");
     }
@@ -122,7 +122,7 @@ private:
 
   Result<void> stub(std::string_view line) {
     if (region_ != Region::kSolution)
-      return error("a stub is outside of a solution",
+      return error("a // STUB: line is outside of a solution",
                    "put it between // BEGIN SOLUTION and // END SOLUTION");
     ++stubs_;
     const std::size_t indent = line.find(kStub);

@@ -86,7 +86,8 @@ std::string submission_html(const ClassRow& row) {
 std::string outcome_of(const ClassRow& row) {
   const std::string outcome = row.results.at("extra_data").at("outcome");
   if (row.finished || outcome == kUnfinished) return outcome;
-  return fmt::format("{}; this is an earlier result: {}", kUnfinished, outcome);
+  return fmt::format("{}; the points shown are those of an earlier result: {}", kUnfinished,
+                     outcome);
 }
 
 std::string class_csv(const std::vector<ClassRow>& rows) {

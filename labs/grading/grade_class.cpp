@@ -59,7 +59,7 @@ void grade_class(const ClassRequest& request) {
       if (child > 0) {
         running.emplace(child, started);
       } else {
-        request.ended(started.name, false, "no process can be started");
+        request.ended(started.name, false, "the system cannot start a process");
         ::close(started.printed);
       }
     }

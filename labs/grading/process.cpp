@@ -128,7 +128,7 @@ void classify(RunOutcome& outcome, int status, const std::string& crash_report,
   if (signal == SIGXCPU) outcome.ending = Ending::kTimeout;
   if (signal == SIGXFSZ) {
     outcome.ending = Ending::kTooMuchOutput;
-    outcome.detail = "it wrote a larger file than is allowed";
+    outcome.detail = "the program wrote a larger file than is allowed";
   }
   if (signal == SIGSYS) {
     outcome.ending = Ending::kForbidden;
@@ -145,7 +145,7 @@ void classify(RunOutcome& outcome, int status, const std::string& crash_report,
 RunOutcome launch(const Launch& launch) {
   Pipe answers, printed, crash_report, errors;
   if (!answers.valid() || !printed.valid() || !crash_report.valid() || !errors.valid())
-    return not_started("no pipe can be made");
+    return not_started("the system cannot make a pipe");
   PreparedChild prepared;
   prepared.launch = &launch;
   prepared.directory = launch.directory.c_str();
@@ -202,7 +202,8 @@ RunOutcome launch(const Launch& launch) {
   if (too_much) {
     outcome.ending = RunOutcome::Ending::kTooMuchOutput;
     if (streams[1].exceeds_limit())
-      outcome.detail = fmt::format("it printed more than {} MiB", limits.printed_bytes / kMiB);
+      outcome.detail =
+          fmt::format("the program printed more than {} MiB", limits.printed_bytes / kMiB);
   } else if (!result.ended) {
     outcome.ending = RunOutcome::Ending::kTimeout;
   } else {

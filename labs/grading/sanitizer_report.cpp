@@ -33,7 +33,7 @@ std::string kind_of(const std::string& line) {
     return mark[0] == 'A' ? rest.substr(0, rest.find(' ')) : rest;
   }
   return line.find("rss limit exhausted") != std::string::npos
-             ? "it used more memory than is allowed"
+             ? "the program used more memory than is allowed"
              : "";
 }
 

@@ -34,7 +34,7 @@ std::string script_that_leaves(const std::string& what, const std::string& comma
 
 std::string vpl_run_script(int lab) {
   return script_that_leaves(
-      "What is right so far.",
+      "Shows what is right so far.",
       fmt::format("glassbox lab grade . --one --lab {} -o results.json --vpl report.txt >/dev/null "
                   "2>grading.log || cat grading.log\n"
                   "grep -v '^<|--$\\|^--|>$\\|^Grade :=>>' report.txt | sed 's/^[->]//'\n",
@@ -43,7 +43,7 @@ std::string vpl_run_script(int lab) {
 
 std::string vpl_evaluate_script(int lab) {
   return script_that_leaves(
-      "A comment for each visible check, and their points as the grade.",
+      "Prints a comment for each visible check, and their points as the grade.",
       fmt::format("export VPL_GRADEMAX\n"
                   "glassbox lab grade . --one --lab {} -o results.json --vpl report.txt >/dev/null "
                   "2>grading.log || cat grading.log\n"

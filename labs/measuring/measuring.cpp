@@ -73,7 +73,8 @@ Result<study::Timing> timing_of(const Numbers& taken, double items) {
   for (std::size_t i = 0; i + 1 < taken.size(); i += 2) {
     const double processor = taken[i], wall = taken[i + 1];
     if (!(processor >= 0 && processor < 1e18 && wall >= 0))
-      return fail("student.cpp", "something other than a time was written among the times", "");
+      return fail("student.cpp",
+                  "the program that runs your functions wrote something other than a time", "");
     ns.push_back(processor / items);
     timing.disturbed += wall > (1 + study::kMaxWaiting) * processor;
   }
@@ -112,8 +113,8 @@ Result<std::vector<study::ConfigurationResult>> measure_points(
   const std::vector<MeasuredPoint> points = lab.points();
   std::vector<study::ConfigurationResult> all;
   for (const MeasuredPoint& point : points) {
-    phase(fmt::format("{}: your functions, error {} of {}", lab.experiment, all.size() + 1,
-                      points.size()));
+    phase(fmt::format("{}: measuring the error of your functions, {} of {}", lab.experiment,
+                      all.size() + 1, points.size()));
     study::ConfigurationResult result;
     result.series = point.series;
     result.parameter = point.parameter;
@@ -135,7 +136,8 @@ Result<std::vector<study::ConfigurationResult>> measure_points(
       all[i].timings = all[j].timings;
       continue;
     }
-    phase(fmt::format("{}: your functions, time {} of {}", lab.experiment, i + 1, points.size()));
+    phase(fmt::format("{}: measuring the time of your functions, {} of {}", lab.experiment, i + 1,
+                      points.size()));
     const auto taken = student.time(stage, {points[i].timed}, rounds);
     if (!taken) return tl::unexpected(taken.error());
     const auto timing = timing_of(*taken, points[i].items);
@@ -149,7 +151,7 @@ Result<std::vector<study::ConfigurationResult>> measure_points(
 Result<std::vector<std::string>> untouched_series(
     const LabMeasure& lab, StudentAnswers& student, StudentAnswers& starter,
     const std::function<void(const std::string&)>& phase) {
-  phase(fmt::format("{}: finding out which functions are written", lab.experiment));
+  phase(fmt::format("{}: finding out which of your functions are written", lab.experiment));
   const DrawnStage measured = stage_of(lab);
   // a series, and whether the student has written it
   std::vector<std::pair<std::string, bool>> all;

@@ -28,7 +28,7 @@ private:
 
 void StudyAgreeCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command = *study.add_subcommand(
-      "agree", "compares two runs: do they find the same configurations faster?");
+      "agree", "compares two runs: checks whether they find the same configurations faster");
   command.footer(
       "Examples:\n"
       "  glassbox study run --quick --json one.json\n"
@@ -50,8 +50,8 @@ int StudyAgreeCommand::run() const {
   const auto found = study::find_agreement(*one, *other);
   if (!found) return refuse(found.error());
   fmt::print(
-      "{} compared: both runs say which one is faster for {}, the opposite for {} of them; one run "
-      "alone says it for {}\n",
+      "{} of configurations compared: both runs say which one is faster for {}, and they "
+      "contradict each other for {} of them; only one run says it for {}\n",
       counted(found->compared, "pair"), counted(found->by_both, "pair"),
       found->contradictions.size(), found->by_one);
   for (const std::string& each : found->contradictions) fmt::print("{}", wrapped("  ", each));

@@ -75,7 +75,7 @@ void StudyCollectCommand::add_to(CLI::App& study, int& exit_code) {
       "kind.");
   command.add_option("DIRECTORY", directory_, "the directory whose .json files are the parts")
       ->required();
-  command.add_option("-o,--output", output_, "the results, as if of one run")
+  command.add_option("-o,--output", output_, "the joined results, as a file of one run")
       ->type_name("FILE")
       ->required();
   command.add_flag(

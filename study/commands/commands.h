@@ -7,8 +7,9 @@
 namespace glassbox::study {
 
 inline constexpr CommandName kCommands[] = {
-    {"bench", "how fast scenes are drawn, compared with other renderers, and how time grows"},
-    {"study", "what accuracy costs: measured errors and times, compared with the theory"},
+    {"bench",
+     "measure how fast scenes are drawn, compared with other renderers, and how time grows"},
+    {"study", "measure what accuracy costs: errors and times, compared with the theory"},
 };
 
 void add_commands(CLI::App& app, int& exit_code);

@@ -74,9 +74,10 @@ tl::unexpected<Error> no_such_case(const std::string& id) {
 }  // namespace
 
 void StudyExtremesCommand::add_to(CLI::App& study, int& exit_code) {
-  CLI::App& command = *study.add_subcommand("extremes",
-                                            "inputs that break pipelines: with our code, naive "
-                                            "code, and mutants (our code with one fault)");
+  CLI::App& command =
+      *study.add_subcommand("extremes",
+                            "tests extreme inputs that break pipelines, with our code, naive code, "
+                            "and mutants (our code with one fault)");
   command.footer(
       "Examples:\n"
       "  glassbox study extremes\n"
@@ -91,7 +92,7 @@ void StudyExtremesCommand::add_to(CLI::App& study, int& exit_code) {
       "docs/extremes.md explains the table.");
   command.add_option("CASE", cases_, "the codes of cases, such as C-43 [all]");
   command.add_option("--case", one_case_, "show one case in full")->type_name("ID");
-  command.add_option("--sweep", sweep_, "show error and bound against a parameter")
+  command.add_option("--sweep", sweep_, "show error and bound for each value of one parameter")
       ->type_name("NAME|all");
   command
       .add_option("-o", picture_directory_,
@@ -107,7 +108,7 @@ void StudyExtremesCommand::add_to(CLI::App& study, int& exit_code) {
 
 Result<void> StudyExtremesCommand::check_options() const {
   if (one_case_ && !cases_.empty()) {
-    return fail("--case", "shows one case, but CASE names cases as well",
+    return fail("--case", "this option shows one case, but CASE names cases as well",
                 "give only one of the two");
   }
   return check_report_outputs(html_output_, json_output_);

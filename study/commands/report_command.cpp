@@ -58,7 +58,7 @@ Result<void> StudyReportCommand::check_options() const {
     return fail("", "no output is named", "give -o report.html, --svg DIRECTORY, or both");
   }
   if (from_ && (measuring_.quick || measuring_.threads || measuring_.file)) {
-    return fail("--from", "shows results that are measured already",
+    return fail("--from", "this option shows results that are measured already",
                 "leave --quick, --threads and --resume out");
   }
   if (svg_directory_ && !std::filesystem::is_directory(*svg_directory_)) {

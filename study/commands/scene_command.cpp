@@ -172,7 +172,7 @@ Result<Levels> levels_of(const std::string& word) {
 
 void StudySceneCommand::add_to(CLI::App& study, int& exit_code) {
   CLI::App& command =
-      *study.add_subcommand("scene", "measures error against time for every way to draw a scene");
+      *study.add_subcommand("scene", "measures error and time for every way to draw a scene");
   command.footer(
       "Examples:\n"
       "  glassbox study scene room\n"
@@ -200,7 +200,9 @@ void StudySceneCommand::add_to(CLI::App& study, int& exit_code) {
 
 Result<void> StudySceneCommand::check_options() const {
   if (picture_.settings.show != Show::kColor) {
-    return fail("--show", "study scene measures errors of colours", "leave --show out");
+    return fail("--show",
+                "study scene measures errors of colours, but --show draws another quantity",
+                "leave --show out");
   }
   if (json_output_ == "-" && csv_output_ == "-") {
     return fail("--csv", "standard output already gets the JSON", "name a file for one of the two");
@@ -220,7 +222,7 @@ std::string StudySceneCommand::command() const {
 SecondEyes StudySceneCommand::measure_second_eyes(const Scene& scene, Progress& progress) const {
   SecondEyes eyes;
   if (picture_.eyes.seen_by) {
-    eyes.left_out = "--seen-by asks for one eye only";
+    eyes.left_out = "a second eye needs both eyes, but --seen-by asks for one";
     return eyes;
   }
   const auto chosen = choose_eyes(scene, picture_);

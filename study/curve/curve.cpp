@@ -141,7 +141,8 @@ private:
           curve_.points, [&](const CurvePoint& point) { return point.variant.knob == knob; });
       if (tried && !shown.contains(knob)) {
         curve_.skipped.push_back(
-            {knob, "it changes no byte of this picture, so it is not combined with others"});
+            {knob,
+             "this option changes no byte of the picture, so it is not combined with others"});
       }
     }
     return turns;

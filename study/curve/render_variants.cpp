@@ -45,7 +45,7 @@ private:
 
   bool is_fixed(Knob knob) {
     if (!asked_.fixed_knobs.contains(knob)) return false;
-    found_.skipped.push_back({knob, "you gave its value"});
+    found_.skipped.push_back({knob, "you gave this option's value"});
     return true;
   }
 

@@ -48,7 +48,7 @@ std::vector<ExperimentResult> in_order(const std::vector<const PartFile*>& parts
 
 Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machine) {
   if (parts.empty())
-    return fail("", "there are no parts",
+    return fail("", "there are no parts to join",
                 "measure the parts with study run --part, such as --part 1/4");
   const Origin& first = parts.front().results.origin;
   std::vector<const PartFile*> by_number(std::size_t(first.parts), nullptr);
@@ -59,13 +59,14 @@ Result<StudyResults> join_parts(std::span<const PartFile> parts, bool any_machin
     if (const std::string differs =
             first_difference(shared(first, any_machine), shared(origin, any_machine));
         !differs.empty()) {
-      return refused(part, "belongs to another run than " + parts.front().path + ": " + differs,
+      return refused(part,
+                     "was measured in another run than " + parts.front().path + ": " + differs,
                      "join parts of one run; --any-machine also joins parts of different machines");
     }
     const PartFile*& place = by_number[std::size_t(origin.part) - 1];
     if (place != nullptr) {
       return refused(part,
-                     fmt::format("is part {}, and {} is the same part", origin.part, place->path),
+                     fmt::format("is part {}, but {} is the same part", origin.part, place->path),
                      "remove one of them");
     }
     place = &part;

@@ -25,7 +25,7 @@ tl::unexpected<Error> in_file(const std::string& path, Error error) {
 // Returns for example "the machine is 'A' in the file and 'B' now"; empty if both are the same.
 std::string difference(const char* what, const std::string& there, const std::string& here) {
   if (there == here) return {};
-  return fmt::format("the {} is '{}' in the file and '{}' now", what, there, here);
+  return fmt::format("the {} is '{}' in the file, but '{}' now", what, there, here);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ Result<StudyResults> resume_results(const std::string& path, const Origin& origi
     return in_file(path, {{},
                           "",
                           "was measured differently: " + differs,
-                          "use the options of the first run, or name another file"});
+                          "use the options of the run that made the file, or name another file"});
   }
   return results;
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr RealScene kScenes[] = {
     {"R1", "textures, a lamp and highlights, from inside", "room"},
-    {"R2", "mip levels of a texture, to the horizon", "checker"},
+    {"R2", "a textured floor to the horizon, with mip levels", "checker"},
     {"R3", "300 objects, many of them thin and far", "forest"},
     {"R4", "a smooth surface of small triangles", "teapot:64"},
     {"R5", "a textured model from a file", "meshes/gltf/Avocado/glTF/Avocado.gltf", true},

@@ -19,13 +19,13 @@ namespace {
 constexpr std::array<BenchSceneName, 9> kNames = {{
     {"S1", "small triangles"},
     {"S1b", "the same triangles in an order that suits a vertex cache"},
-    {"S2", "a mesh as large as a scan"},
+    {"S2", "a mesh with as many triangles as a scan"},
     {"S3", "texture"},
-    {"S4bf", "overdraw, back to front"},
-    {"S4fb", "overdraw, front to back"},
+    {"S4bf", "overdraw, drawn from back to front"},
+    {"S4fb", "overdraw, drawn from front to back"},
     {"S5", "depth only"},
     {"S6", "an anaglyph of two passes"},
-    {"S7", "vertices and rejection"},
+    {"S7", "many vertices, all of them outside the view"},
 }};
 
 constexpr double kFieldOfView = 0.785398163397448309616;  // 45 degrees

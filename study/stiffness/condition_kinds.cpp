@@ -31,12 +31,12 @@ constexpr std::array<Texts, 7> kTexts{{
     {"offset-over-size", "offset over size", "px",
      "(W/2)(|M_x| + |x/w| |M_w|) dp/(w - |M_w| dp), dp half a unit in the last place of p",
      "extreme cases far from the origin (C-13, C-14)",
-     "the coordinates in the file are rounded by this much: write them relative to a point near "
-     "the mesh, and put the offset into the node"},
+     "rounding the file's coordinates to float moves corners by this much: write coordinates "
+     "relative to a point near the mesh, and put the offset into the node"},
     {"sliver", "sliver, longest side over height", "of range",
      "d/(h - 2 d), h the height on the screen, d = sqrt 2 (1/512 px and the vertex's own)",
      "bound 5 in docs/references.md (attributes); extreme case of slivers (C-47)",
-     "colours inside this triangle may be those of its other end; if this matters, remesh it or "
+     "attributes inside this triangle may be those of its other end; if this matters, remesh it or "
      "draw more pixels (--size)"},
     {"texture-coordinates", "largest texture coordinate", "texels",
      "half a unit in the last place of u, times the side in texels",

@@ -215,18 +215,19 @@ private:
 
   void add_not_computed(bool has_up, Stiffness& found) const {
     found.not_computed.push_back(
-        "Corners outside of the picture and vertices made by clipping: the numbers of fragments "
-        "contain their effect on the pixels.");
+        "Corners outside of the picture and vertices made by clipping: their effect on pixels is "
+        "part of the numbers of fragments.");
     if (!has_up)
       found.not_computed.push_back(
-          "The angle to up: the camera comes from the file as a pose, without an up vector.");
+          "The angle between gaze and up: the file gives the camera as a pose, without an up "
+          "vector.");
     if (!view_.perspective) {
       found.not_computed.push_back(
           "Depth and w: a parallel view has the same error at every distance.");
     }
     if (without_bounds_ > 0) {
       found.not_computed.push_back(
-          fmt::format("{} of lines and points, for which no bounds are computed.",
+          fmt::format("{} of lines and points: no bounds are computed for them.",
                       counted(without_bounds_, "fragment")));
     }
   }

@@ -11,7 +11,7 @@ Result<GlFramebuffer> GlFramebuffer::make(const gl::Functions& gl, const Form& f
   made.centres_ = made.make_planes(1);
   made.samples_ = form.samples == 1 ? made.centres_ : made.make_planes(form.samples);
   if (made.centres_ == 0 || made.samples_ == 0) {
-    return refused("OpenGL cannot make a framebuffer of this size and number of samples");
+    return refused("OpenGL cannot make a framebuffer of this size with this number of samples");
   }
   gl.Viewport(0, 0, form.width, form.height);
   if (form.transfer == Transfer::kSrgb) gl.Enable(gl::kFramebufferSrgb);

@@ -37,13 +37,13 @@ std::optional<std::string> peer_cannot_draw(const BenchScene& bench) {
                        samples);
   }
   if (has_lines_or_points(scene)) {
-    return "the peer's lines and points cover other pixels";
+    return "the peer's lines and points cover other pixels than Glassbox's";
   }
   if (std::ranges::any_of(scene.textures, [](const Texture& texture) {
         return magnifies_elsewhere(texture.sampler);
       })) {
     return "a texture has different filters for magnification and minification, and the peer "
-           "switches between them at another size";
+           "switches between them at another texel size";
   }
   if (std::ranges::any_of(scene.images, [](const Image<Rgba8>& image) {
         return std::max(image.width, image.height) > kPeerTextureSide;

@@ -66,7 +66,7 @@ Result<void> MesaRenderer::set_up() {
     passes_.emplace_back();
     if (const auto made = make_draws(list); !made) return made;
   }
-  if (gl_.GetError() != 0) return refused("the scene's set-up was refused");
+  if (gl_.GetError() != 0) return refused("OpenGL reported an error when the scene was set up");
   return {};
 }
 

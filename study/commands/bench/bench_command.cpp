@@ -100,7 +100,8 @@ void BenchCommand::add_measure_options(CLI::App& command) {
   command
       .add_option_function<std::string>(
           "--most", [this](const std::string& text) { most_ = parse_number("--most", text); },
-          "largest value that --scaling measures [30 million triangles, 16384 x 16384 pixels]")
+          "largest number of triangles or pixels that --scaling measures [30 million triangles, "
+          "16384 x 16384 pixels]")
       ->type_name("N");
   command.add_flag("--floor", floor_,
                    "measure the machine's speed too, and compare each time with the least that "
@@ -246,7 +247,9 @@ int BenchCommand::run() {
 }
 
 void BenchPeerCommand::add_to(CLI::App& app, int& exit_code) {
-  CLI::App& command = *app.add_subcommand(kPeerCommand, "draws for glassbox bench")->group("");
+  CLI::App& command =
+      *app.add_subcommand(kPeerCommand, "draws with another renderer for glassbox bench")
+           ->group("");
   command.add_option("SCENE", scene_)->required();
   add_bench_drawing(command, drawing_);
   command.callback([this, &exit_code] {

@@ -71,7 +71,7 @@ std::string errors_text(const ConditionNumber& number) {
 }
 
 std::string uncertain_tests_text(std::uint64_t tests) {
-  if (tests == 0) return "no depth test of this picture depends on it";
+  if (tests == 0) return "no depth test of this picture depends on this";
   return fmt::format("{} of this picture may be decided wrongly", counted(tests, "depth test"));
 }
 
@@ -141,7 +141,7 @@ std::optional<Vector<World, double>> up_of(const Scene& scene, const CameraOptio
 }
 
 std::string stiffness_text(const Scene& scene, const StiffnessReport& report) {
-  std::string text = fmt::format("{}, {} x {}: what decides how exact this view is\n",
+  std::string text = fmt::format("{}, {} x {}: the condition numbers of this view\n",
                                  printable(report.scene, 1000), report.width, report.height);
   text += fmt::format("  {:<34}{:>12}{:>24}{:>14}\n", "", "condition", "bound", "on the screen");
   for (const ConditionNumber& number : report.found.numbers) {

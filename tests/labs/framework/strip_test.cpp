@@ -48,7 +48,7 @@ TEST_CASE("nested, unbalanced and stub-less markers are errors that name the lin
   CHECK(error_of(begin + begin).find("line 2") != std::string::npos);
   CHECK(error_of("x\n" + begin + stub).find("line 2: a solution has no end") != std::string::npos);
   CHECK(error_of("x\n" + end).find("line 2") != std::string::npos);
-  CHECK(error_of(begin + "code\n" + end).find("line 1: a solution has no stub") !=
+  CHECK(error_of(begin + "code\n" + end).find("line 1: a solution has no // STUB: line") !=
         std::string::npos);
   CHECK(error_of(stub).find("line 1") != std::string::npos);
   CHECK(error_of(begin + stub + "// BEGIN HIDDEN\n").find("line 3") != std::string::npos);

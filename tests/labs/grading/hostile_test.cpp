@@ -78,7 +78,8 @@ void grade_hostile_class(const std::string& sandbox, const DailyShare& share) {
     const auto checks = checks_of(results);
     const std::string told = checks.at("a reciprocal").at("output");
     INFO(told);
-    if (each.name == "flood") CHECK(told.find("it printed more than 1 MiB") != std::string::npos);
+    if (each.name == "flood")
+      CHECK(told.find("the program printed more than 1 MiB") != std::string::npos);
     if (each.name == "flood-answers")
       CHECK(told.find("more than 64 MiB of answers") != std::string::npos);
     const std::string named = checks.at("a reciprocal").at("extra_data").at("outcome");

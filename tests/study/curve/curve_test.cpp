@@ -123,7 +123,7 @@ TEST_CASE(
   const RenderVariants held =
       single_knob_variants(room, {.fixed_knobs = {Knob::kShading, Knob::kFilter, Knob::kSamples}});
   for (const Knob knob : {Knob::kShading, Knob::kFilter, Knob::kSamples}) {
-    CHECK(why(held, knob) == "you gave its value");
+    CHECK(why(held, knob) == "you gave this option's value");
     CHECK(std::ranges::none_of(held.all,
                                [&](const RenderVariant& variant) { return variant.knob == knob; }));
   }
