@@ -58,7 +58,7 @@ std::string depth_text(const SteppedTriangle& stepped, const TracedFragment& tra
 
 std::string colour_text(const TracedFragment& traced, const RenderSettings& settings) {
   std::string text = sentence("surface " + color_text(traced.surface) +
-                              ", linear: material, vertex colour, texture");
+                              ", linear: the product of material, vertex colour and texture");
   if (traced.result == FragmentResult::kDiscarded)
     return text + sentence("its alpha is below the material's cutoff: discarded");
   if (settings.show == Show::kColor) {

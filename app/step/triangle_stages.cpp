@@ -152,10 +152,10 @@ std::string ndc_text(const Context& c) {
 }
 
 std::string snap_text(std::int32_t snapped, const SnapStability& snap) {
-  return fmt::format("  -> {}/256 {}", snapped,
-                     snap.stable
-                         ? "(sure)"
-                         : fmt::format("(not sure: {:.1e} px from the next)", snap.to_boundary));
+  return fmt::format(
+      "  -> {}/256 {}", snapped,
+      snap.stable ? "(sure)"
+                  : fmt::format("(not sure: the next step is {:.1e} px away)", snap.to_boundary));
 }
 
 // The transformation back from the screen to object space, as text.

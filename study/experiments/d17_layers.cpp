@@ -180,12 +180,13 @@ void add_epsilon(const std::shared_ptr<const LayerTestScene>& test_scene, double
 }
 
 const Finding kLargeThings{
-    "walls and furniture are larger than the move of the eye: neighbouring lines meet the same "
-    "objects, and only a strip beside each edge comes into view",
+    "the theory assumes small objects, but walls and furniture are larger than the distance "
+    "between the eyes: neighbouring lines of sight meet the same objects, so only strips beside "
+    "edges come into view",
     0, 0.5};
 const Finding kTrees{
-    "trees are as wide as the move of the eye, so the lines of both eyes to a point often pass "
-    "through the same tree",
+    "the theory assumes small objects, but trees are as wide as the distance between the eyes, so "
+    "the lines of sight of both eyes to a point often pass through the same tree",
     0.2, 1};
 
 // A built-in scene: the eye of its camera, and another one a little to the side.

@@ -151,8 +151,8 @@ std::string errors_text(const MatchInput& input, const Image<float>& disparity) 
                         errors.density_percent);
   }
   return text + fmt::format(
-                    "visible: {}; a pixel without disparity counts as off;\n"
-                    "good: pixels that are off by 1 px at most\n",
+                    "visible: {}.\nA pixel without disparity counts as off by more than each "
+                    "limit.\ngood: pixels that are off by 1 px at most\n",
                     input.visible_by);
 }
 

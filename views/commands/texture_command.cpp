@@ -325,8 +325,8 @@ std::string ViewsTextureCommand::text(const ChosenPictures& pictures,
   }
   if (found.unseen > 0)
     text += fmt::format(
-        "Left out: pictures of {} polygons that no picture shows; they have the mesh's own "
-        "colours.\n",
+        "Left out: the pictures' colours of {} polygons that no picture shows. Such a polygon has "
+        "the mesh's own colours.\n",
         found.unseen);
   return text;
 }

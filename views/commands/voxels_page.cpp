@@ -29,7 +29,8 @@ Result<void> check_size(const VoxelsInput& input, const VoxelsReport& report) {
         fmt::format("a page of {} voxels, {} of them coloured, would be too large for a "
                     "browser",
                     voxels, colored),
-        fmt::format("ask for at most {} and {}, with --resolution", kMaxVoxels, kMaxColored));
+        fmt::format("choose a smaller --resolution, for at most {} voxels and {} coloured ones",
+                    kMaxVoxels, kMaxColored));
   }
   std::size_t pixels = 0;
   for (const auto& picture : input.set.pictures) pixels += picture.color.pixels.size();

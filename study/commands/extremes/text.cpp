@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include <fmt/format.h>
 
@@ -58,6 +59,12 @@ std::string outcome_text(const char* kind, const std::string& name, const Outcom
                   outcome.passes() ? "within the bound" : "above the bound");
   if (!outcome.summary.empty()) text += wrapped("        ", outcome.summary);
   return text;
+}
+
+// Whether a bound in the text is a multiple of the unit roundoff, as in "to 8 u" or "8 u of float".
+bool names_unit_roundoff(const std::string& text) {
+  static const std::regex kMultiple("[0-9)] u\\b");
+  return std::regex_search(text, kMultiple);
 }
 
 std::string sweep_text(const SweepResult& result) {
@@ -140,6 +147,8 @@ std::string case_text(const CaseResult& r) {
   text += wrapped("built   ", r.extreme_case.construction);
   text += wrapped("stage   ", r.extreme_case.stage);
   text += wrapped("right   ", r.extreme_case.right_answer);
+  if (names_unit_roundoff(r.extreme_case.right_answer))
+    text += "        u is the unit roundoff: 2^-24 in float, 2^-53 in double\n";
   text += wrapped("oracle  ", oracle_name(r.extreme_case.oracle));
   if (r.ours.condition)
     text += fmt::format("        condition number {}\n", number_text(*r.ours.condition));

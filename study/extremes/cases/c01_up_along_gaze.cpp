@@ -75,8 +75,8 @@ ExtremeCase c01_up_along_gaze() {
           "gaze (3, -2, 6), up = gaze + s (6, 3, -2) for s = 0.1 .. 2e-6; then s = 1e-7 and 0",
       .stage = "look-at",
       .right_answer =
-          "axes within (8 + 4/sine) u of 50 digits (pipeline/look_at.h); refused where the sine is "
-          "below 2^-20",
+          "the axes agree with 50 digits to (8 + 4/sine) u (pipeline/look_at.h); the camera is "
+          "refused where the sine is below 2^-20",
       .unit = "of the axes' length",
       .oracle = Oracle::kExtended,
       .ours = {"look_at", [] { return measure_error(look_at); }},

@@ -44,10 +44,13 @@ ExtremeCase c02_eye_is_target() {
   return {
       .id = "C-02",
       .name = "The eye is the target",
-      .construction = "eye = target at three places; 2^-1070 apart; one ulp apart",
+      .construction =
+          "the eye is the target, at three places; the eye is 2^-1070 from the target; it is one "
+          "ulp from the target",
       .stage = "look-at",
       .right_answer =
-          "an error and no matrix; a distance of one ulp gives a direction like any other",
+          "there is an error and no matrix; but a distance of one ulp gives a direction like any "
+          "other",
       .unit = "cameras",
       .oracle = Oracle::kProperty,
       .ours = {"look_at", [] { return measure_error(look_at); }},

@@ -52,8 +52,8 @@ ExtremeCase c04_small_angle() {
           "are computed again",
       .stage = "axis and angle",
       .right_answer =
-          "4 u of the angle: sine and cosine are right to one ulp each, the arctangent to 2 "
-          "(base/trig.h)",
+          "the angle is right to 4 u, because sine and cosine are right to one ulp each, and the "
+          "arctangent to 2 (base/trig.h)",
       .unit = "of the angle",
       .oracle = Oracle::kExtended,
       .ours = {"the arctangent of sine over cosine", [] { return measure_error(by_arctangent); }},

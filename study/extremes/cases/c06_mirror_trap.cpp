@@ -97,8 +97,8 @@ ExtremeCase c06_mirror_trap() {
       .construction = "six points of the letter F, seen from (1, 2, 6) at 60 degrees",
       .stage = "look-at",
       .right_answer =
-          "where the UVN construction of 50 digits puts them; turning the gaze to +z by a rotation "
-          "mirrors the picture (E7)",
+          "the points are where the UVN construction of 50 digits puts them; a rotation that turns "
+          "the gaze to +z mirrors the picture (E7)",
       .unit = "NDC",
       .oracle = Oracle::kExtended,
       .ours = {"look_at and perspective", [] { return measure_error(ours); }},

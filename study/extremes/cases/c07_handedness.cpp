@@ -85,12 +85,12 @@ ExtremeCase c07_handedness() {
       .id = "C-07",
       .name = "Handedness mixed",
       .construction =
-          "a right-handed eye (S4.5) before the left-handed T_pers of S4.18; 1000 points in front "
-          "and their reflections behind",
+          "a right-handed view matrix (S4.5) and the left-handed projection T_pers of S4.18; 1000 "
+          "points in front of the eye and their reflections behind it",
       .stage = "projection",
       .right_answer =
-          "points in front are seen, on their side of the picture, and points behind are not "
-          "(erratum E12)",
+          "points in front of the eye are seen, on their side of the picture, and points behind it "
+          "are not (erratum E12)",
       .unit = "points",
       .oracle = Oracle::kProperty,
       .ours = {"T_pers times the reflection diag(1, 1, -1, 1)",

@@ -73,9 +73,13 @@ ExtremeCase c08_field_of_view() {
   return {
       .id = "C-08",
       .name = "Fields of view near 0 and 180 degrees",
-      .construction = "1e-6 .. 179.9999 degrees; then 0, negative, 180 and more",
+      .construction =
+          "fields of view of 1e-6 .. 179.9999 degrees; then impossible ones: 0, negative, 180 and "
+          "more",
       .stage = "projection",
-      .right_answer = "cot(x/2) to 4 ulps (pipeline/projection.h); refused outside of (0, 180)",
+      .right_answer =
+          "the scale is cot(x/2) to 4 ulps (pipeline/projection.h); angles outside of (0, 180) are "
+          "refused",
       .unit = "of the scale",
       .oracle = Oracle::kExtended,
       .ours = {"perspective_degrees", [] { return measure_error(ours); }},

@@ -100,7 +100,8 @@ ExtremeCase c09_planes_out_of_order() {
           "equal to and beyond far",
       .stage = "projection",
       .right_answer =
-          "the entries of depth to 4 ulps of the rational ones; no matrix for planes out of order",
+          "the entries of depth agree with the rational ones to 4 ulps; there is no matrix for "
+          "planes in the wrong order",
       .unit = "of the entry",
       .oracle = Oracle::kRational,
       .ours = {"perspective_degrees", [] { return measure_error(ours); }},

@@ -49,8 +49,9 @@ ExtremeCase c100_normal_equations() {
       .construction = "60 pairs of cameras, 20 matches without noise, in pixels",
       .stage = "two views",
       .right_answer =
-          "64 u times the condition number of the normalised system; the condition number of A^T A "
-          "is the square of that of A, about 10^10 for raw pixels, but a float has only 7 digits",
+          "the error is at most 64 u times the condition number of the normalised system; the "
+          "condition number of A^T A is the square of that of A, about 10^10 for raw pixels, but a "
+          "float has only 7 digits",
       .unit = "of |E|",
       .oracle = Oracle::kAnalytic,
       .ours = {"singular values of normalised points",

@@ -43,7 +43,9 @@ ExtremeCase c105_four_poses() {
       .name = "Four poses of one matrix",
       .construction = "E of 200 pairs of cameras, with either sign, and 20 matches of each",
       .stage = "two views",
-      .right_answer = "exactly one of four has all points in front of both cameras; 512 u",
+      .right_answer =
+          "exactly one of the four poses has all points in front of both cameras; it is right to "
+          "512 u",
       .unit = "radian",
       .oracle = Oracle::kAnalytic,
       .ours = {"the pose with all points in front of both cameras",

@@ -39,9 +39,8 @@ ExtremeCase c106_rank_first() {
       .construction = "60 pairs of cameras, 20 calibrated matches with the noise of 1/2 px",
       .stage = "two views",
       .right_answer =
-          "2 E E^T E = tr(E E^T) E for |E| = 1, to 64 u: two equal singular values and a 0, which "
-          "a "
-          "similarity does not keep",
+          "2 E E^T E = tr(E E^T) E for |E| = 1, to 64 u; this means two equal singular values and "
+          "a 0, which change if the matrix is transformed afterwards",
       .unit = "of |E|^3",
       .oracle = Oracle::kAnalytic,
       .ours = {"E is transformed back first, then its singular values are made equal",

@@ -73,9 +73,9 @@ ExtremeCase c107_parallel_rays() {
           "0.1; 20 pairs of turned cameras that see infinitely far points",
       .stage = "two views",
       .right_answer =
-          "f B/d in front of the cameras; for 0, a direction with w = 0; below 0, a point that is "
-          "reported as behind the cameras; lines are parallel if the sine between them is below 8 "
-          "u",
+          "for a disparity d above 0 the depth is f B/d; for 0 the result is a direction with w = "
+          "0; below 0 it is a point that is reported as behind the cameras; lines count as "
+          "parallel if the sine of their angle is below 8 u",
       .unit = "points",
       .oracle = Oracle::kAnalytic,
       .ours = {"the midpoint, and a flag for points at infinity",

@@ -99,10 +99,12 @@ ExtremeCase c10_depth_ratio() {
       .id = "C-10",
       .name = "Far over near from 1000 to infinity",
       .construction =
-          "near 1/8, far 100, 1e5, 1e8 and infinity; distances 0.15 .. 1e7, each 1.37 times the "
-          "last; the distance recovered from the depth as stored",
+          "near plane 1/8, far plane 100, 1e5, 1e8 and infinity; distances 0.15 .. 1e7, each 1.37 "
+          "times the one before; each distance is computed back from the stored depth",
       .stage = "projection",
-      .right_answer = "5 u (1 + z/f) of the distance: reversed float depth keeps its digits (B.3)",
+      .right_answer =
+          "the distance is right to 5 u (1 + z/f), because reversed float depth keeps its digits "
+          "(B.3)",
       .unit = "of the distance",
       .oracle = Oracle::kRational,
       .ours = {"reversed depth from the matrix", [] { return measure_error(ours); }},

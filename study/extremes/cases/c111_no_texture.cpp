@@ -63,9 +63,9 @@ ExtremeCase c111_no_texture() {
           "disparities, which are four periods",
       .stage = "matching",
       .right_answer =
-          "no disparity is given: the second-best cost (neighbours excluded) is as good as the "
-          "best, except for noise, of which a mean of 121 pixels leaves 1/11; a picture of clear "
-          "noise gets a disparity everywhere",
+          "the ambiguous pixels get no disparity, because the second-lowest cost (neighbours "
+          "excluded) differs from the lowest one only by noise, which the mean of 121 pixels "
+          "divides by 11; a pair of random noise gets a disparity everywhere",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"peak ratio of at least 1/4", [] { return measure_error(by_confidence(0.25f)); }},

@@ -94,7 +94,7 @@ ExtremeCase c112_slanted_plane() {
   return {
       .id = "C-112",
       .name = "A slanted plane",
-      .construction = "disparities 4 + x/10 + y/20 of smooth noise, 160 x 60 px",
+      .construction = "smooth noise with the disparities 4 + x/10 + y/20, 160 x 60 px",
       .stage = "matching",
       .right_answer =
           "an RMS error of at most 1/4 px; with whole pixels it cannot be below 1/sqrt(12) = 0.289 "

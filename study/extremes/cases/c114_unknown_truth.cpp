@@ -71,7 +71,8 @@ ExtremeCase c114_unknown_truth() {
           "are unknown; the motorcycle's calibration: f 994.978 px, B 193.001 mm, offset 31.086 px",
       .stage = "matching",
       .right_answer =
-          "the error of the three known pixels; Z = f B/(d + 31.086); four roundings of float",
+          "the error is that of the three known pixels, and depth is Z = f B/(d + 31.086), to four "
+          "roundings of float",
       .unit = "relative",
       .oracle = Oracle::kAnalytic,
       .ours = {"only the known pixels, and the offset is added",

@@ -118,13 +118,13 @@ ExtremeCase c115_klt() {
       .id = "C-115",
       .name = "A large mean, equal eigenvalues",
       .construction =
-          "three bands of 48 x 48 whose samples are 10^6 + k/16; a cloud that varies equally along "
-          "two directions, and the same turned, 20 times",
+          "three bands of 48 x 48 samples 10^6 + k/16; pixels that vary equally along two "
+          "directions, and the same pixels rotated, 20 times",
       .stage = "components of bands",
       .right_answer =
-          "covariance: 2 W rounding errors, and 4 u 10^6 of a deviation for the differences from "
-          "the mean; the space of two components: the error of the covariance divided by the gap "
-          "between the eigenvalues",
+          "the covariance has at most 2 W rounding errors, and 4 u 10^6 of a deviation for the "
+          "differences from the mean; the space of two components has at most the error of the "
+          "covariance divided by the gap between the eigenvalues",
       .unit = "of the trace, radian",
       .oracle = Oracle::kInteger,
       .ours = {"two passes; spaces of components are compared by their angles",

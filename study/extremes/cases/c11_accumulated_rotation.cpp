@@ -49,8 +49,8 @@ ExtremeCase c11_accumulated_rotation() {
       .construction = "10^6 float products of a rotation by 0.01 rad about (1, 2, 3)",
       .stage = "rotation",
       .right_answer =
-          "R^T R = I to 8 u of float with a repair every 1000 products; without, the drift is "
-          "linear, about u/3 each (B.5)",
+          "R^T R = I to 8 u of float if the matrix is repaired every 1000 products; without a "
+          "repair the error grows linearly, by about u/3 per product (B.5)",
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
       .ours = {"nearest_rotation after every 1000 products", [] { return measure_error(nearest); }},

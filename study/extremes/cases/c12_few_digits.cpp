@@ -72,8 +72,8 @@ ExtremeCase c12_few_digits() {
           "200 poses whose rotations are printed with six decimals, as data files have them",
       .stage = "view",
       .right_answer =
-          "the view's axes are perpendicular unit vectors to 12 u, and the picture moves by less "
-          "than 6e-3 px",
+          "the view's axes are perpendicular unit vectors to 12 u, and points of the picture move "
+          "by less than 6e-3 px",
       .unit = "entries of R^T R - I",
       .oracle = Oracle::kProperty,
       .ours = {"make_view", [] { return measure_error(ours); }},

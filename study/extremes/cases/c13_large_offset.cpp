@@ -71,7 +71,9 @@ ExtremeCase c13_large_offset() {
   return {
       .id = "C-13",
       .name = "An object far from the origin",
-      .construction = "an object of size 2 and an eye 7 from it, both 1e2 .. 1e8 from the origin",
+      .construction =
+          "an object of size 2 and an eye at the distance 7 from it, both 1e2 .. 1e8 from the "
+          "origin",
       .stage = "to eye space",
       .right_answer =
           "the same positions in eye space as at the origin, to 5 u |M||x| in float (2.7e-6) and "

@@ -66,7 +66,8 @@ ExtremeCase c14_planet() {
       .name = "A cube of a metre on a planet",
       .construction = "cubes of 1, 0.8 and 0.2 m at 6.378e6 m from the origin, an eye 2 m away",
       .stage = "to eye space",
-      .right_answer = "x and y exactly as modelled, z - 2 rounded once",
+      .right_answer =
+          "in eye space x and y are exactly those of the model, and z - 2 is rounded once",
       .unit = "m",
       .oracle = Oracle::kRational,
       .ours = {"matrices are composed in double and rounded once",

@@ -93,11 +93,12 @@ ExtremeCase c15_deep_hierarchy() {
       .id = "C-15",
       .name = "A hundred nested transforms",
       .construction =
-          "100 rotations, scales by 1.25 and 0.8 in turn, and translations by up to 1.7, one "
-          "inside the other",
+          "100 nested nodes with a rotation, a scale by 1.25 or 0.8 in turn, and a translation by "
+          "up to 1.7 each",
       .stage = "to world space",
       .right_answer =
-          "100 gamma_4 |P||M| in double (Higham 3.5); object to world to object returns to 1e-6",
+          "the product is right to 100 gamma_4 |P||M| in double (Higham 3.5); the transform to "
+          "world space and back gives the same point to 1e-6",
       .unit = "world unit",
       .oracle = Oracle::kExtended,
       .ours = {"products in double, inverse_affine", [] { return measure_error(in_double); }},

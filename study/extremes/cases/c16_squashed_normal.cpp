@@ -56,7 +56,8 @@ ExtremeCase c16_squashed_normal() {
       .name = "Normals under non-uniform scale",
       .construction = "scale (1, 1, s) for s = 0.5 .. 1e-6, alone and sheared, on three normals",
       .stage = "normals",
-      .right_answer = "the direction of the exact cofactor matrix times the normal, to 10 u",
+      .right_answer =
+          "the normal has the direction of the exact cofactor matrix times the normal, to 10 u",
       .unit = "radian",
       .oracle = Oracle::kRational,
       .ours = {"normal_transform", [] { return measure_error(by_cofactors); }},

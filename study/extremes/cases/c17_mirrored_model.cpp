@@ -139,8 +139,8 @@ ExtremeCase c17_mirrored_model() {
           "cubes under 200 rotations and scales by -3 .. 3 of each axis, half of them mirrors",
       .stage = "normals",
       .right_answer =
-          "every outward normal stays outward, and front faces stay front faces: normals and "
-          "winding follow the sign of the determinant",
+          "every outward normal stays outward, and front faces stay front faces, because normals "
+          "and winding follow the sign of the determinant",
       .unit = "normals and pixels",
       .oracle = Oracle::kProperty,
       .ours = {"normal_transform", [] { return measure_error(by_cofactors); }},

@@ -87,7 +87,7 @@ ExtremeCase c19_order_of_composition() {
       .name = "The order of composition",
       .construction = "turns by 90, 180 and 270 degrees and a move by (3, -5, 8)",
       .stage = "to world space",
-      .right_answer = "T R, exactly; R T is off by (R - I) a",
+      .right_answer = "the matrix is exactly T R; R T differs from it by (R - I) a",
       .unit = "world unit",
       .oracle = Oracle::kRational,
       .ours = {"translate * rotate", [] { return measure_error(translation_last); }},

@@ -66,11 +66,12 @@ ExtremeCase c20_screen_to_world() {
       .id = "C-20",
       .name = "From the screen back to the world",
       .construction =
-          "near 0.01, far 1000: distances 0.02 .. 900, each 1.21 times the last, to float depth "
-          "and back",
+          "near plane 0.01, far plane 1000; distances 0.02 .. 900, each 1.21 times the one before, "
+          "are transformed to float depth and back",
       .stage = "unproject",
       .right_answer =
-          "5 u (1 + z/f) of the distance, by reversed depth; standard depth loses u z/n (bound 8)",
+          "the distance is right to 5 u (1 + z/f) with reversed depth; standard depth has the "
+          "error u z/n (bound 8)",
       .unit = "of the distance",
       .oracle = Oracle::kAnalytic,
       .ours = {"reversed depth, unproject", [] { return measure_error(ours); }},

@@ -74,8 +74,8 @@ ExtremeCase c21_bent_first_corner() {
           "by up to 1e-4",
       .stage = "face normals",
       .right_answer =
-          "the noise over the size, sqrt(3) s P / A = 3.5e-4: Newell's sums do not depend on the "
-          "size of one corner",
+          "the normal's error is the noise over the size, sqrt(3) s P / A = 3.5e-4, because "
+          "Newell's sums use all corners",
       .unit = "radian",
       .oracle = Oracle::kExtended,
       .ours = {"newell_vector", [] { return measure_error(newell_in_double); }},

@@ -66,11 +66,11 @@ ExtremeCase c22_far_polygon() {
   return {
       .id = "C-22",
       .name = "A polygon far from the origin",
-      .construction = "a leaning octagon of radius 1 at 0, 1e2, 1e4 and 1e6 along each axis",
+      .construction = "a tilted octagon of radius 1 at 0, 1e2, 1e4 and 1e6 along each axis",
       .stage = "face normals",
       .right_answer =
-          "the rational Newell vector of the same floats, to gamma_11 in double, because "
-          "coordinates are relative to the first corner",
+          "the normal is the rational Newell vector of the same floats, to gamma_11 in double, "
+          "because coordinates are relative to the first corner",
       .unit = "radian",
       .oracle = Oracle::kRational,
       .ours = {"newell_vector", [] { return measure_error(newell_in_double); }},

@@ -60,10 +60,12 @@ ExtremeCase c23_reflex_corner() {
   return {
       .id = "C-23",
       .name = "A reflex corner",
-      .construction = "an arrow head of three sizes, begun at each of its four corners",
+      .construction =
+          "an arrow head of three sizes, with each of its four corners as the first one",
       .stage = "face normals",
       .right_answer =
-          "the side to which the rational Newell vector points, wherever the list begins",
+          "the normal points to the side of the rational Newell vector, whichever corner comes "
+          "first",
       .unit = "normals",
       .oracle = Oracle::kRational,
       .ours = {"newell_vector", [] { return measure_error(newell_in_double); }},

@@ -85,7 +85,7 @@ ExtremeCase c24_bow_tie() {
       .construction = "three bow-ties, a figure of eight, three corners on a line, and a square",
       .stage = "face normals",
       .right_answer =
-          "no normal, and the face reported, exactly where the rational Newell vector is zero",
+          "a face has no normal, and is reported, exactly if the rational Newell vector is zero",
       .unit = "faces",
       .oracle = Oracle::kRational,
       .ours = {"face_normal and triangulate", [] { return measure_error(ours); }},

@@ -118,9 +118,10 @@ ExtremeCase c25_repeated_corners() {
   return {
       .id = "C-25",
       .name = "Repeated corners",
-      .construction = "eight faces with repeated indices, repeated positions, two corners, one",
+      .construction =
+          "eight faces with repeated indices, repeated positions, only two corners or only one",
       .stage = "triangulation",
-      .right_answer = "triangles with area only, and the whole area of the face",
+      .right_answer = "all triangles have an area, and together they have the area of the face",
       .unit = "faces",
       .oracle = Oracle::kAnalytic,
       .ours = {"triangulate", [] { return measure_error(ours); }},

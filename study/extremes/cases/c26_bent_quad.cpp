@@ -117,11 +117,12 @@ ExtremeCase c26_bent_quad() {
       .id = "C-26",
       .name = "A quad that is not flat",
       .construction =
-          "a unit square with one corner lifted by 1/2, 1/32, 1/1024, begun at each corner",
+          "a unit square with one corner lifted by 1/2, 1/32 or 1/1024, with each corner as the "
+          "first one",
       .stage = "triangulation",
       .right_answer =
-          "corners (h/2)/sqrt(4 + 2 h^2) from the mean plane, to 12 roundings; always the shorter "
-          "diagonal",
+          "the corners are (h/2)/sqrt(4 + 2 h^2) from the mean plane, to 12 roundings; the shorter "
+          "diagonal is chosen, whichever corner comes first",
       .unit = "object unit",
       .oracle = Oracle::kExtended,
       .ours = {"planarity_deviation and triangulate",

@@ -112,7 +112,7 @@ ExtremeCase c28_nearly_edge_on() {
       .name = "Faces that are nearly edge-on",
       .construction = "1500 random triangles seen from 10^4 away at sines of 1e-3 .. 1e-13 and 0",
       .stage = "back faces",
-      .right_answer = "the sign of rational arithmetic",
+      .right_answer = "the sign is that of rational arithmetic",
       .unit = "signs",
       .oracle = Oracle::kRational,
       .ours = {"test_back_face", [] { return measure_error(ours); }},

@@ -116,9 +116,10 @@ ExtremeCase c30_closed_solid() {
       .id = "C-30",
       .name = "A closed solid, culled",
       .construction =
-          "a ball of 8 stacks seen from four places near it, along and past it, 128 x 96 px",
+          "a ball of 8 rows of faces, seen from four places near it, with the gaze towards it and "
+          "past it, 128 x 96 px",
       .stage = "back faces",
-      .right_answer = "the same pixels covered with and without culling",
+      .right_answer = "the same pixels are covered with and without culling",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"the sign of the snapped area", [] { return measure_error(nullptr); }},

@@ -63,9 +63,11 @@ ExtremeCase c32_through_the_eye() {
   return {
       .id = "C-32",
       .name = "A triangle through the eye plane",
-      .construction = "corners with w = 1, -1, -1 and 1, 1, -1, whose crossings have few bits",
+      .construction =
+          "triangles with w = 1, -1, -1 and 1, 1, -1 at their corners, whose crossings have few "
+          "bits",
       .stage = "clip",
-      .right_answer = "the area of what lies in front, exactly",
+      .right_answer = "the clipped polygon has exactly the area of the part in front of the eye",
       .unit = "twice NDC area",
       .oracle = Oracle::kRational,
       .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},

@@ -74,11 +74,13 @@ ExtremeCase c33_w_towards_zero() {
   return {
       .id = "C-33",
       .name = "w towards zero",
-      .construction = "a corner with w = 0.5 .. 1e-45, 0 and -1e-45, in four places; near 0.01",
+      .construction =
+          "triangles that have a corner with w = 0.5 .. 1e-45, 0 or -1e-45, in four places; near "
+          "plane 0.01",
       .stage = "clip",
       .right_answer =
-          "after clipping w >= near/2, and every vertex within the guard band: no infinity, no "
-          "NaN, no overflow",
+          "after clipping w >= near/2 and every vertex is within the guard band, so there is no "
+          "infinity, no NaN and no overflow",
       .unit = "vertices",
       .oracle = Oracle::kProperty,
       .ours = {"clip_triangle by render_planes", [] { return measure_error(pipeline_clips); }},

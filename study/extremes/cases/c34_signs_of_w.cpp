@@ -96,7 +96,9 @@ ExtremeCase c34_signs_of_w() {
       .name = "All patterns of the signs of w",
       .construction = "150 random triangles for each of the eight patterns",
       .stage = "clip",
-      .right_answer = "the rational area of what is in the picture, 0 where all w < 0",
+      .right_answer =
+          "the clipped polygon has the rational area of the part inside the frustum, which is 0 if "
+          "all w < 0",
       .unit = "twice NDC area",
       .oracle = Oracle::kRational,
       .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},

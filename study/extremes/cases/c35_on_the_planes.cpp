@@ -82,7 +82,8 @@ ExtremeCase c35_on_the_planes() {
       .construction = "1500 triangles on a lattice of halves that reaches beyond the frustum",
       .stage = "clip",
       .right_answer =
-          "the rational area, at most nine vertices, no vertex twice, nothing less than a triangle",
+          "the clipped polygon has the rational area, at most nine vertices, no vertex twice, and "
+          "never one or two vertices",
       .unit = "polygons",
       .oracle = Oracle::kRational,
       .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},

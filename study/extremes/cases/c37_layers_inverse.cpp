@@ -110,13 +110,13 @@ ExtremeCase c37_layers_inverse() {
       .id = "C-37",
       .name = "A layered image's inverse camera",
       .construction =
-          "near 0.01, far 1000, 640 x 480 px: 400 points 100 .. 900 units away, kept as pixel and "
-          "float depth, and warped to an eye 140 units off",
+          "near plane 0.01, far plane 1000, 640 x 480 px; 400 points 100 .. 900 units away are "
+          "stored as pixel and float depth, and warped to an eye 140 units away",
       .stage = "layers",
       .right_answer =
-          "2^-24 of the distance by which the depth moves the point, for the rounding of the "
-          "depth, and 2^-48 of the condition number of C1 for an inverse in double; depth is "
-          "near/distance",
+          "the error is at most 2^-24 of the distance by which the depth moves the point, for the "
+          "rounding of the depth, plus 2^-48 times the condition number of C1, for an inverse in "
+          "double; depth is near/distance",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"depth is near/distance, and the inverse C1^-1 is computed in double",

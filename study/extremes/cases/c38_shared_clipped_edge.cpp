@@ -103,7 +103,8 @@ ExtremeCase c38_shared_clipped_edge() {
           "opposite directions",
       .stage = "clip",
       .right_answer =
-          "both cut it at the same point, bit for bit: (A |dB| + B |dA|) / (|dA| + |dB|) (B.1)",
+          "both triangles cut the edge at the same point, bit for bit, by the formula (A |dB| + B "
+          "|dA|) / (|dA| + |dB|) (B.1)",
       .unit = "edges",
       .oracle = Oracle::kInteger,
       .ours = {"clip_triangle", [] { return measure_error(pipeline_clips); }},

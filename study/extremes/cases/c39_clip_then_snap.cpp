@@ -101,7 +101,7 @@ ExtremeCase c39_clip_then_snap() {
           "12 fans of 200 slivers around a point of a 64 x 64 picture, outer corners 1e5 .. 1e7 px "
           "away",
       .stage = "clip",
-      .right_answer = "every pixel covered exactly once",
+      .right_answer = "every pixel is covered exactly once",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"clip_triangle by the guard band", [] { return measure_error(pipeline_clips); }},

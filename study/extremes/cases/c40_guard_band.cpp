@@ -154,7 +154,9 @@ ExtremeCase c40_guard_band() {
           "triangles with corners 32767.99 .. 1e30 px from the centre of a 256 x 256 picture, "
           "every eighth pixel",
       .stage = "clip",
-      .right_answer = "the exact triangle's pixels, except those within 2^-7 px of its edges",
+      .right_answer =
+          "the covered pixels are those of the exact triangle, except pixels within 2^-7 px of its "
+          "edges",
       .unit = "pixels",
       .oracle = Oracle::kExtended,
       .ours = {"clip_triangle by the guard band", [] { return measure_error(ours); }},

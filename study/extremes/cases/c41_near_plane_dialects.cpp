@@ -44,11 +44,12 @@ ExtremeCase c41_near_plane_dialects() {
       .id = "C-41",
       .name = "Near planes of two dialects",
       .construction =
-          "near 1, far 1024: points at depths 0.25 .. 1e30 by OpenGL's and Direct3D's projections",
+          "near plane 1, far plane 1024; points at distances 0.25 .. 1e30, projected by OpenGL's "
+          "and Direct3D's matrices",
       .stage = "clip",
       .right_answer =
-          "visible from the near plane on; the wrong plane cuts at 2 n f/(f + n), or at n f/(2 f - "
-          "n) (erratum E16)",
+          "points are visible from the near plane on; the plane of the other API cuts at 2 n f/(f "
+          "+ n), or at n f/(2 f - n) (erratum E16)",
       .unit = "points",
       .oracle = Oracle::kRational,
       .ours = {"clip_planes of the dialect", [] { return measure_error(near_plane_of_dialect); }},

@@ -113,8 +113,9 @@ ExtremeCase c46_t_junction() {
           "one triangle on the other side",
       .stage = "coverage",
       .right_answer =
-          "none if the vertex is inserted into the long edge; otherwise exactly the pixels of the "
-          "sliver between the snapped vertex and the edge, which no rasterizer can close",
+          "no pixel is wrong if the vertex is inserted into the long edge; otherwise exactly the "
+          "pixels of the sliver between the snapped vertex and the edge are wrong, which no "
+          "rasterizer can avoid",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"the vertex is inserted into the edge on both sides",

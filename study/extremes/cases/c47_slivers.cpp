@@ -88,8 +88,8 @@ ExtremeCase c47_slivers() {
       .construction = "triangles 4,000 px long and 2^-8 to 2^-20 px wide, in four directions each",
       .stage = "coverage",
       .right_answer =
-          "exactly the pixels of the snapped triangle, and none if its area is zero; weights in "
-          "[0, 1], because 1/area is computed from an integer of at least 1",
+          "exactly the pixels of the snapped triangle are covered, and none if its area is zero; "
+          "weights are in [0, 1], because 1/area is computed from an integer of at least 1",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"integer edge functions", measure_our_error},

@@ -74,8 +74,8 @@ ExtremeCase c48_negative_coordinates() {
           "4,000 random triangles across both axes of the screen, on columns and rows -8 to 7",
       .stage = "snap, coverage",
       .right_answer =
-          "floor everywhere: shifts of integers round down, so column -1 is a column like any "
-          "other",
+          "all positions are rounded down, because shifts of integers round down, so column -1 is "
+          "a column like any other",
       .unit = "pixels",
       .oracle = Oracle::kInteger,
       .ours = {"floor", [] { return measure_error(pipeline_covers); }},

@@ -92,11 +92,11 @@ ExtremeCase c54_stepping() {
   return {
       .id = "C-54",
       .name = "Incremental stepping over 32 K",
-      .construction = "u from 0 to 1 over a span of 32,767 px",
+      .construction = "a texture coordinate from 0 to 1 over a span of 32,767 px",
       .stage = "interpolate",
       .right_answer =
-          "13 u (w1 |u1 - u0|) + u |u| with u0 = 0, that is 14 u relative: edge functions are "
-          "stepped as integers, and the weights of every pixel are computed from them",
+          "the relative error is at most 14 u, because edge functions are stepped as integers, and "
+          "the weights of every pixel are computed from them",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
       .ours =

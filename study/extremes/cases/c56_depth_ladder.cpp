@@ -67,9 +67,13 @@ ExtremeCase c56_depth_ladder() {
   return {
       .id = "C-56",
       .name = "Ladder of nearly equal depths",
-      .construction = "near 0.1, far 10,000; pairs of depths at 0.2 to 9,000, closer and closer",
+      .construction =
+          "near plane 0.1, far plane 10,000; pairs of surfaces at distances 0.2 to 9,000, closer "
+          "and closer to each other",
       .stage = "projection, depth",
-      .right_answer = "reversed float tells apart what is 4 u = 2.4e-7 apart, relative, everywhere",
+      .right_answer =
+          "reversed float distinguishes distances that differ by 4 u = 2.4e-7 of the distance, "
+          "everywhere",
       .unit = "relative separation",
       .oracle = Oracle::kAnalytic,
       .ours = {"float, reversed range", with({.format = DepthFormat::kFloat32Reversed})},

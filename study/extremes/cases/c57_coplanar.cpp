@@ -133,8 +133,8 @@ ExtremeCase c57_coplanar() {
           "of 4096 x 4096, where depth is exact",
       .stage = "interpolate",
       .right_answer =
-          "8 u of the plane (raster/interpolate.h), so two triangles differ by 16 u at most; with "
-          "equal depths the first one stays",
+          "depth differs from the plane by at most 8 u (raster/interpolate.h), so that of two "
+          "triangles differs by at most 16 u; with equal depths the first one stays",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
       .ours = {"weights of differences from the nearest vertex",

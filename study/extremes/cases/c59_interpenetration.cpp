@@ -81,7 +81,7 @@ ExtremeCase c59_interpenetration() {
           "line",
       .stage = "depth test",
       .right_answer =
-          "the crossing is at the right place, within 18 u d/|difference of the slopes| and half a "
+          "the crossing is at the right place, to 18 u d/|difference of the slopes| and half a "
           "pixel",
       .unit = "px",
       .oracle = Oracle::kAnalytic,

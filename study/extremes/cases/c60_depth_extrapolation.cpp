@@ -67,8 +67,8 @@ ExtremeCase c60_depth_extrapolation() {
           "30 triangles 2,000 px long and 1/256 to 4/256 px wide, with the depths 0, 1, 1",
       .stage = "interpolate",
       .right_answer =
-          "8 u relative (raster/interpolate.h): weights are between 0 and 1, so depth stays "
-          "between the vertices'",
+          "the relative error of depth is at most 8 u (raster/interpolate.h), because weights are "
+          "between 0 and 1 and depth stays between that of the vertices",
       .unit = "2^-24 relative",
       .oracle = Oracle::kRational,
       .ours = {"barycentric weights from integers", [] { return measure_error(pipeline_depth); }},

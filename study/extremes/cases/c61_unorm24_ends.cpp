@@ -73,9 +73,12 @@ ExtremeCase c61_unorm24_ends() {
       .id = "C-61",
       .name = "The ends of 24-bit depth",
       .construction =
-          "0, 1, 1 - 2^-24, the smallest float, 100,000 random depths, halves between codes",
+          "the depths 0, 1, 1 - 2^-24 and the smallest float, 100,000 random depths, and depths "
+          "halfway between codes",
       .stage = "depth",
-      .right_answer = "floor(z (2^24 - 1) + 1/2) in 128 bits; 1 is 0xffffff",
+      .right_answer =
+          "the code is floor(z (2^24 - 1) + 1/2), computed in 128 bits; depth 1 has the code "
+          "0xffffff",
       .unit = "codes",
       .oracle = Oracle::kInteger,
       .ours = {"rounded in double", [] { return measure_error(pipeline_code); }},

@@ -108,8 +108,8 @@ ExtremeCase c62_reversed_clear() {
       .id = "C-62",
       .name = "Cleared and compared the wrong way",
       .construction =
-          "in each depth format an empty frame and one triangle, at the near plane, at the far "
-          "plane and between; then two triangles in both orders",
+          "in each depth format: an empty buffer and one triangle at the near plane, at the far "
+          "plane or between; then two triangles in both orders",
       .stage = "depth test",
       .right_answer = "a single triangle is always seen, and of two triangles the nearer one",
       .unit = "wrong answers",

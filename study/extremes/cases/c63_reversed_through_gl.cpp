@@ -45,10 +45,12 @@ ExtremeCase c63_reversed_through_gl() {
   return {
       .id = "C-63",
       .name = "Reversed depth by way of [-1, 1]",
-      .construction = "near 0.1, far 10,000, reversed float, at the distance 1,000",
+      .construction =
+          "near plane 0.1, far plane 10,000, reversed float depth at the distance 1,000",
       .stage = "projection",
       .right_answer =
-          "4 u: the matrix gives depth in [0, 1] at once, so small depths keep all their digits",
+          "distances that differ by 4 u are distinguished, because the matrix gives depth in [0, "
+          "1] directly, so small depths keep all their digits",
       .unit = "relative separation",
       .oracle = Oracle::kAnalytic,
       .ours = {"depth in [0, 1]", [] { return measure_error(DepthPath::kNone); }},

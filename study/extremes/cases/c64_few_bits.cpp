@@ -64,11 +64,11 @@ ExtremeCase c64_few_bits() {
   return {
       .id = "C-64",
       .name = "16 and 24 bits in a large scene",
-      .construction = "near 0.1, far 10,000; pairs of depths at 1 to 1,000",
+      .construction = "near plane 0.1, far plane 10,000; pairs of surfaces at distances 1 to 1,000",
       .stage = "depth",
       .right_answer =
-          "a step is r = s z/(1 - s z), s = 2^-b (1/n - 1/f), within a factor of two for the "
-          "rounding of the depths themselves: 0.18 in 16 bits at 1,000",
+          "a step of depth is r = s z/(1 - s z) of the distance, s = 2^-b (1/n - 1/f), to a factor "
+          "of two for the rounding of the depths themselves; this is 0.18 in 16 bits at 1,000",
       .unit = "times the expected value, or its inverse",
       .oracle = Oracle::kAnalytic,
       .ours = {"the formula", [] { return measure_error(by_formula); }},

@@ -93,11 +93,14 @@ ExtremeCase c65_floor_to_horizon() {
   return {
       .id = "C-65",
       .name = "Floor to the horizon",
-      .construction = "a floor 1.5 under the eye, from 4 to 4,000 away, u from 0 to 1 along it",
+      .construction =
+          "a floor 1.5 below the eye, from 4 to 4,000 away; the texture coordinate u is 0 to 1 "
+          "along it",
       .stage = "interpolate",
       .right_answer =
-          "13 u (w1 |u1 - u0| + w2 |u2 - u0|) + u |u| (raster/interpolate.h). Without perspective "
-          "up to (sqrt r - 1)/(sqrt r + 1) = 0.94 for r = 1,000 (B.11)",
+          "the error is at most 13 e (w1 |u1 - u0| + w2 |u2 - u0|) + e |u| with the unit roundoff "
+          "e = 2^-24 (raster/interpolate.h); without perspective it is up to (sqrt r - 1)/(sqrt r "
+          "+ 1) = 0.94 for r = 1,000 (B.11)",
       .unit = "of the texture",
       .oracle = Oracle::kRational,
       .ours = {"u/w divided by 1/w", [] { return measure_error(pipeline_attribute); }},

@@ -36,8 +36,8 @@ ExtremeCase c66_inverse_w() {
       .construction = "w = 1e-3, 1, 1e6 at the corners, 1,024 texels between them",
       .stage = "interpolate",
       .right_answer =
-          "1/w is a sum of positive numbers, so nothing cancels: 13 u (w1 |u1 - u0| + ...) + u "
-          "|u|, at most 14 u of 1,024 texels = 8.5e-4",
+          "1/w is a sum of positive numbers, so no digits cancel: the error is at most 14 e of "
+          "1,024 texels = 8.5e-4, with the unit roundoff e = 2^-24",
       .unit = "texel",
       .oracle = Oracle::kRational,
       .ours = {"a full division", [] { return measure_error(pipeline_attribute); }},

@@ -49,12 +49,13 @@ ExtremeCase c67_huge_texcoords() {
       .id = "C-67",
       .name = "Huge texture coordinates",
       .construction =
-          "a repeated row of 1,024 texels, u up to 8 million either way, as floats hold it",
+          "a repeated row of 1,024 texels, with texture coordinates u from -8 million to 8 "
+          "million, as floats",
       .stage = "texture",
       .right_answer =
-          "the texel of the exact fraction, or one that is 2^-25 of the texture away: the integer "
-          "part is subtracted before scaling. The digits of u that a float cannot hold (the "
-          "condition number is |u|) are lost before that",
+          "the texel is that of the exact fraction, or one that is 2^-25 of the texture away, "
+          "because the integer part is subtracted before scaling; the digits of u that a float "
+          "cannot hold are lost before that (the condition number is |u|)",
       .unit = "texel",
       .oracle = Oracle::kRational,
       .ours = {"wrapped, then scaled", [] { return measure_error(pipeline_texel); }},

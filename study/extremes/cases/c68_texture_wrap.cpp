@@ -66,11 +66,13 @@ ExtremeCase c68_texture_wrap() {
   return {
       .id = "C-68",
       .name = "Wrapping negatives and exactly 1",
-      .construction = "-4 to 4 in steps of 1/64 over 8 texels, repeated, mirrored, clamped",
+      .construction =
+          "texture coordinates from -4 to 4 in steps of 1/64 over 8 texels, repeated, mirrored and "
+          "clamped",
       .stage = "texture",
       .right_answer =
-          "floor, then the remainder that is not negative; mirroring is about the border between "
-          "two texels",
+          "the coordinate is rounded down, then the remainder that is not negative is taken; "
+          "mirroring is about the border between two texels",
       .unit = "texels wrong",
       .oracle = Oracle::kInteger,
       .ours = {"floor", [] { return measure_error(pipeline_texel); }},

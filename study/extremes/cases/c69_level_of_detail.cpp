@@ -186,7 +186,8 @@ ExtremeCase c69_level_of_detail() {
       .id = "C-69",
       .name = "Level of detail at outlines",
       .construction =
-          "24 narrow strips that run away from the viewer, 1,024 texels, with gaps between",
+          "24 narrow strips with 1,024 texels that run away from the viewer, with gaps between "
+          "them",
       .stage = "texture",
       .right_answer =
           "the derivative of the plane equations, to 34 u of its terms, without looking at "

@@ -105,8 +105,8 @@ ExtremeCase c70_zero_parallax() {
       .construction = "3,321 points at the window's distance 10, half separation 0.03, 1920 x 1080",
       .stage = "stereo",
       .right_answer =
-          "no parallax: matrices are composed in double and rounded once; the rounding of x in "
-          "float costs at most a step of the snap",
+          "the parallax is 0, because matrices are composed in double and rounded once; the "
+          "rounding of x in float changes a position by at most one step of the snap",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"skewed frusta",

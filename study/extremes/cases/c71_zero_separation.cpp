@@ -64,7 +64,7 @@ ExtremeCase c71_zero_separation() {
   return {
       .id = "C-71",
       .name = "No separation",
-      .construction = "the forest with both eyes in the middle",
+      .construction = "the scene forest with both eyes in the middle",
       .stage = "stereo",
       .right_answer = "both pictures are the same to the bit, and drawn in one pass",
       .unit = "pixels, and passes too many",

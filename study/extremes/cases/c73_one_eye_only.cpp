@@ -99,7 +99,8 @@ ExtremeCase c73_one_eye_only() {
       .id = "C-73",
       .name = "Seen by one eye alone",
       .construction =
-          "a wall at the window, 10 away, and 17 small triangles at 0.5; half separation 0.3",
+          "a wall at the window, at the distance 10, and 17 small triangles at the distance 0.5; "
+          "half of the separation is 0.3",
       .stage = "stereo culling",
       .right_answer = "each eye's picture has the bytes of a run for that eye alone",
       .unit = "pixels",

@@ -55,7 +55,8 @@ ExtremeCase c74_centre_culling() {
   return {
       .id = "C-74",
       .name = "Culled by the camera in the middle",
-      .construction = "the forest, half separations of 1, 3 and 10 % of the window's distance",
+      .construction =
+          "the scene forest, with half separations of 1, 3 and 10 % of the window's distance",
       .stage = "stereo culling",
       .right_answer =
           "nothing is lost: each eye's picture has the bytes of a run for that eye alone",

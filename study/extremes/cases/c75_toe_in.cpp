@@ -82,11 +82,13 @@ ExtremeCase c75_toe_in() {
   return {
       .id = "C-75",
       .name = "Cameras turned towards each other",
-      .construction = "points all over 1920 x 1080 at 5, 10 and 40; window 10, half separation 0.3",
+      .construction =
+          "points all over 1920 x 1080 pixels at the distances 5, 10 and 40; window at 10, half of "
+          "the separation is 0.3",
       .stage = "stereo",
       .right_answer =
-          "no vertical parallax at all: both eyes share the rows of y and w, so the bits of y are "
-          "the same",
+          "there is no vertical parallax, because both eyes' matrices have the same rows of y and "
+          "w, so the bits of y are the same",
       .unit = "px",
       .oracle = Oracle::kAnalytic,
       .ours = {"skewed frusta", [] { return measure_error(eye_view, false); }},

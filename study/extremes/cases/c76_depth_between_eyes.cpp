@@ -92,9 +92,10 @@ ExtremeCase c76_depth_between_eyes() {
       .id = "C-76",
       .name = "Depth kept between the eyes",
       .construction =
-          "the forest as a red-cyan anaglyph in one colour buffer, window in its middle",
+          "the scene forest as a red-cyan anaglyph in one colour buffer, with the window in the "
+          "middle of the trees",
       .stage = "stereo",
-      .right_answer = "the channels of the two eyes' own pictures, byte for byte (S0-05)",
+      .right_answer = "each channel is that of the picture of its eye, byte for byte (S0-05)",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"a depth buffer for each eye, both engines",

@@ -114,8 +114,8 @@ ExtremeCase c80_layers_drift() {
           "its right place",
       .stage = "layers",
       .right_answer =
-          "1/16 px: 64 additions from one start to the next, each of which rounds x w and w by u "
-          "at most: 2 * 64 * 2^-24 * 8192 px",
+          "the error is at most 1/16 px: there are 64 additions between two exact starts, each of "
+          "which rounds x w and w by at most u, which gives 2 * 64 * 2^-24 * 8192 px",
       .unit = "px",
       .oracle = Oracle::kExtended,
       .ours = {"restarted every 64 px", [] { return measure_error(ours); }},

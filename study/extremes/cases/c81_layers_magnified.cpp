@@ -71,8 +71,8 @@ ExtremeCase c81_layers_magnified() {
           "and by a lens with a longer focal length",
       .stage = "layers",
       .right_answer =
-          "no hole: a sample's side is (F2/F1)(d1/d2) (S1-10); with one pixel per sample, a "
-          "fraction of 1 - 1/m^2 of the pixels are holes",
+          "there is no hole, because a sample's side is (F2/F1)(d1/d2) (S1-10); with one pixel per "
+          "sample, a fraction of 1 - 1/m^2 of the pixels are holes",
       .unit = "pixels",
       .oracle = Oracle::kAnalytic,
       .ours = {"squares of the samples' projected size", [] { return measure_error(ours); }},

@@ -77,10 +77,12 @@ ExtremeCase c86_sample_near_eye() {
       .id = "C-86",
       .name = "A sample very near the eye",
       .construction =
-          "one sample, at 1/2 to 2^-20 of its first distance: by the size formula it is 2 to 2^20 "
-          "px wide; a surface that the first eye saw edge-on grows as much",
+          "one sample at 1/2 to 2^-20 of its first distance, which the size formula makes 2 to "
+          "2^20 px wide; and a surface that the first eye sees edge-on, which becomes as large",
       .stage = "layers",
-      .right_answer = "min(m, 64)^2 pixels, and a count of those that would have been larger",
+      .right_answer =
+          "the sample covers min(m, 64)^2 pixels, and samples that would have been larger are "
+          "counted",
       .unit = "pixels and samples",
       .oracle = Oracle::kAnalytic,
       .ours = {"sizes are limited to 64 px, and limited samples are counted",

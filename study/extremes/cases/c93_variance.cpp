@@ -61,10 +61,11 @@ ExtremeCase c93_variance() {
   return {
       .id = "C-93",
       .name = "The deviation of bright colours",
-      .construction = "20 times 1000 numbers within 0.01 of 250",
+      .construction = "1000 numbers within 0.01 of 250, 20 times",
       .stage = "voxels",
       .right_answer =
-          "the variance, to n u kappa, kappa = mean / sigma (Chan, Golub and LeVeque 1983)",
+          "the variance is right to n u kappa, where kappa = mean / sigma (Chan, Golub and LeVeque "
+          "1983)",
       .unit = "relative",
       .oracle = Oracle::kExtended,
       .ours = {"Welford's update", [] { return measure_error(by_welford); }},

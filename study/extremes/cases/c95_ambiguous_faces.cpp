@@ -62,7 +62,8 @@ ExtremeCase c95_ambiguous_faces() {
           "corners inside and the other six; 400 random fields of 4 x 4 x 4",
       .stage = "polygons",
       .right_answer =
-          "closed: each edge is in exactly two triangles, and V - E + F is even (S1-39)",
+          "the surface is closed: each edge is in exactly two triangles, and V - E + F is even "
+          "(S1-39)",
       .unit = "edges",
       .oracle = Oracle::kProperty,
       .ours = {"one rule for every ambiguous face",

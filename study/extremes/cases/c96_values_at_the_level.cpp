@@ -49,8 +49,9 @@ ExtremeCase c96_values_at_the_level() {
       .construction = "300 fields of 4 x 4 x 4 whole numbers from -2 to 2, cut at -1, 0 or 1",
       .stage = "polygons",
       .right_answer =
-          "no triangle without area, no corner twice, and a closed surface: a value at the level "
-          "counts as infinitely little above it, and corners keep away from those of the lattice",
+          "no triangle is without area, no corner occurs twice, and the surface is closed, because "
+          "a value at the level counts as slightly above it, and corners are never exactly on the "
+          "lattice's corners",
       .unit = "triangles, corners and edges",
       .oracle = Oracle::kProperty,
       .ours = {"a value equal to the level counts as above it", [] { return measure_error(ours); }},

@@ -79,7 +79,8 @@ ExtremeCase c97_polygons_come_and_go() {
           "from it; a third of them are in one plane",
       .stage = "polygons",
       .right_answer =
-          "bit for bit the layered image that is built from the remaining polygons (S1-39)",
+          "the result is bit for bit the layered image that is built from the remaining polygons "
+          "(S1-39)",
       .unit = "pixels",
       .oracle = Oracle::kProperty,
       .ours = {"each pixel has a list of polygons, sorted by distance, then by number",

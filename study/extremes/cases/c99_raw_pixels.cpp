@@ -58,7 +58,7 @@ ExtremeCase c99_raw_pixels() {
       .construction = "60 pairs of cameras of 640 x 480, 20 matches with a noise of 1/2 px",
       .stage = "two views",
       .right_answer =
-          "normalised points (Hartley 1997): the distance from the true points to the epipolar "
+          "with normalised points (Hartley 1997) the distance from the true points to the epipolar "
           "lines is at most twice that of the estimate that minimises Sampson's distance for the "
           "same matches; the condition number is that of the raw system",
       .unit = "px",

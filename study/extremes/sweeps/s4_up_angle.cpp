@@ -75,8 +75,8 @@ Sweep s4_up_angle() {
       .reference = "UVN in 50 digits",
       .bound = "sqrt 3 (8 + 4/sin) u (pipeline/look_at.h, B.5)",
       .tolerance =
-          "a roll of a thousandth, which is a pixel in a thousand; or a refusal: look_at refuses "
-          "sines below 2^-20, because no such up is intended",
+          "an error of the roll of a thousandth of a radian, which is a pixel in a thousand, or a "
+          "refusal; look_at refuses sines below 2^-20",
       .series = up_angle_series};
 }
 

@@ -108,8 +108,8 @@ Sweep s8_separation() {
       .reference = "2 s (d/h)(1/f - 1/z), computed to 5 ulps of double",
       .bound = "running bounds of transform, divide and viewport for both eyes (pipeline/bounds.h)",
       .tolerance =
-          "a step of the snap, 1/256 px; or a refusal: check_pair refuses eyes that are further "
-          "apart than the picture is wide at the window",
+          "an error of one step of the snap, 1/256 px, or a refusal; check_pair refuses eyes that "
+          "are further apart than the picture is wide at the window",
       .series = separation_series};
 }
 
