@@ -207,7 +207,7 @@ private:
                       "give a number for each coordinate");
       }
       if (!(std::abs(number->value) <= double(std::numeric_limits<float>::max()))) {
-        return refuse("a coordinate is not a finite number of a float",
+        return refuse("a coordinate is not finite, or too large for a float",
                       "give numbers up to 3.4e38");
       }
       vertex.position[i] = number->value;

@@ -182,7 +182,8 @@ std::string affine_sentence(const MatrixFacts& facts) {
                      turn_text(facts), moved}) +
              mirror;
     case MatrixShape::kScaledAfter:
-      return joined({"a rotation, then scales along fixed axes: a shear", moved}) + mirror;
+      return joined({"a rotation, then scales along fixed axes, which shears the object", moved}) +
+             mirror;
     case MatrixShape::kSheared:
       return joined({"affine, with a shear", moved}) + mirror;
     case MatrixShape::kFlat:

@@ -152,7 +152,7 @@ Result<void> check_frames_options(const PictureOptions& picture, bool for_two_ey
   if (const auto legal = check_plot(frames); !legal) return legal;
   if (const auto legal = check_pose(picture.camera, frames); !legal) return legal;
   if (picture.eyes.seen_by) {
-    return fail("--seen-by", "this layout cannot be used with --frames",
+    return fail("--seen-by", "this option cannot be used with --frames",
                 "use --stereo pair, which has both eyes' pictures at full size");
   }
   if (!for_two_eyes && (picture.eyes.separation || picture.eyes.window)) {

@@ -269,7 +269,7 @@ Result<ChosenView> choose_view(const Scene& scene, const PictureOptions& picture
   if (!eyes.seen_by) {
     if (!eyes.separation && !eyes.window) return choose_centre(scene, picture);
     return fail(eyes.separation ? "--eye-separation" : "--window",
-                "this layout needs two eyes, but the picture is for one",
+                "this option needs two eyes, but the picture is for one",
                 "choose an eye with --seen-by left or --seen-by right");
   }
   return choose_eyes(scene, picture).map([&](const ChosenEyes& chosen) {

@@ -147,7 +147,7 @@ StudyResults unchecked_results_of(const Json& json) {
   StudyResults results;
   const std::string effort = field(json, "effort");
   if (effort != "quick" && effort != "full") {
-    throw UnreadableFile{"is damaged: '" + effort + "' is not an effort"};
+    throw UnreadableFile{"is damaged: '" + effort + "' is not an effort (quick or full)"};
   }
   results.origin = {field(json, "machine"),
                     field(json, "compiler"),

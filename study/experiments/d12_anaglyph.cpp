@@ -314,8 +314,8 @@ Experiment d12_anaglyph() {
           "a normal distribution, so their mean is lower.",
       .item = "pixel",
       .measures = {{kGhosts,
-                    "light of the other eye's white where this eye's picture is black, divided by "
-                    "this eye's white",
+                    "light that reaches an eye where its own picture is black and the other eye's "
+                    "is white, divided by the light of its own white",
                     "of white"}},
       .configurations = configurations,
   };

@@ -184,8 +184,8 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
   const auto& [nx, ny, nz] = coloring.grid.count;
   const bool is_carved = coloring.order == views::ColoringOrder::kCarve;
   std::string text = fmt::format(
-      "{}: {}, cameras {}\n{} x {} x {} voxels of {:.6g}, {}\n{}; pixels of a voxel that "
-      "are compared: {}, that it hides: {}, after each {}\n",
+      "{}: {}, cameras {}\n{} x {} x {} voxels of {:.6g}, {}\n{}; compared pixels of a voxel: {}; "
+      "pixels that it hides: {}, after each {}\n",
       printable(input.set.source, kLongPath), counted(input.set.pictures.size(), "picture"),
       views::name_of(coloring.traversal), nx, ny, nz, coloring.grid.size, order_text(coloring),
       test_text(request.settings), views::name_of(request.settings.sampled),
@@ -229,9 +229,9 @@ std::string voxels_text(const VoxelsInput& input, const views::ColoringRequest& 
   }
   if (const auto& truth = report.truth) {
     text += fmt::format(
-        "truth: {} voxels are inside, {} are not proved empty: IoU {:.4f}\n"
-        "distances of the surface in voxels: {:.2f} to the truth (at most {:.2f}), {:.2f} from it "
-        "(at most {:.2f})\n",
+        "compared with the truth: {} voxels are inside the true scene, {} are not proved empty; "
+        "IoU {:.4f}\ndistances between the surfaces, in voxels: {:.2f} from found to true (at most "
+        "{:.2f}), {:.2f} from true to found (at most {:.2f})\n",
         truth->inside, truth->not_empty, truth->iou, truth->surface.to_truth_mean,
         truth->surface.to_truth_most, truth->surface.from_truth_mean,
         truth->surface.from_truth_most);

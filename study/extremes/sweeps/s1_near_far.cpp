@@ -74,7 +74,9 @@ Sweep s1_near_far() {
       .error =
           "largest relative separation of surfaces that are confused, half way to the far plane",
       .reference = "the order of the distances themselves",
-      .bound = "s z/(1 - s z) with s = (step + 6 u)(1/n - 1/f); 4 u for reversed float (B.3)",
+      .bound =
+          "the smallest distance that is resolved is s z/(1 - s z) with s = (step + 6 u)(1/n - "
+          "1/f), and 4 u for reversed float (B.3)",
       .tolerance = "surfaces that are a tenth of the distance apart are confused",
       .series = near_far_series};
 }

@@ -121,17 +121,18 @@ std::vector<SweepSeries> world_offset_series() {
 
 Sweep s2_world_offset() {
   using namespace s2;
-  return {.name = "world-offset",
-          .title = "Distance of the scene from the world's origin",
-          .question = "How far from the origin may a scene be built before its vertices shake?",
-          .axis = "offset of object and eye",
-          .axis_unit = "units",
-          .error = "largest error of a coordinate in eye space",
-          .error_unit = "units",
-          .reference = "the same matrices applied in 64 bits of mantissa",
-          .bound = "gamma_n |M||x| + |M| dx + dM |x| (pipeline/bounds.h)",
-          .tolerance = "an error of a thousandth of a unit: a millimetre where units are metres",
-          .series = world_offset_series};
+  return {
+      .name = "world-offset",
+      .title = "Distance of the scene from the world's origin",
+      .question = "How far from the origin may a scene be built before its vertices shake?",
+      .axis = "offset of object and eye",
+      .axis_unit = "units",
+      .error = "largest error of a coordinate in eye space",
+      .error_unit = "units",
+      .reference = "the same matrices applied in 64 bits of mantissa",
+      .bound = "gamma_n |M||x| + |M| dx + dM |x| (pipeline/bounds.h)",
+      .tolerance = "an error of a thousandth of a unit, which is a millimetre if units are metres",
+      .series = world_offset_series};
 }
 
 }  // namespace glassbox::study

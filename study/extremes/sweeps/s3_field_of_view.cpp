@@ -86,9 +86,9 @@ Sweep s3_field_of_view() {
       .error = "relative error of the picture's scale, cot(angle/2)",
       .reference = "50 digits",
       .bound =
-          "8 u of double (pipeline/projection.h); with radians, their rounding errors times x/sin "
-          "x, in float and in double",
-      .tolerance = "a relative error of 1e-4: a pixel in ten thousand",
+          "8 u of double (pipeline/projection.h); with radians, the rounding error of the angle "
+          "times x/sin x, in float and in double",
+      .tolerance = "a relative error of 1e-4, which is one pixel in ten thousand",
       .series = field_of_view_series};
 }
 

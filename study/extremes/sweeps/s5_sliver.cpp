@@ -50,16 +50,18 @@ std::vector<SweepSeries> sliver_series() {
 
 Sweep s5_sliver() {
   using namespace s5;
-  return {.name = "sliver",
-          .title = "Width of a sliver",
-          .question = "How thin may a triangle 4,000 px long be before pixels are decided wrongly?",
-          .axis = "width",
-          .axis_unit = "px",
-          .error = "fraction of the pixels along the edge that are wrong",
-          .reference = "the snapped triangle in 128 bits",
-          .bound = "0: edge functions are integers; float gives no guarantee",
-          .tolerance = "any wrong pixel",
-          .series = sliver_series};
+  return {
+      .name = "sliver",
+      .title = "Width of a sliver",
+      .question = "How thin may a triangle 4,000 px long be before pixels are decided wrongly?",
+      .axis = "width",
+      .axis_unit = "px",
+      .error = "fraction of the pixels along the edge that are wrong",
+      .reference = "the snapped triangle in 128 bits",
+      .bound =
+          "no pixel is wrong, because edge functions are integers; with float there is no bound",
+      .tolerance = "any wrong pixel",
+      .series = sliver_series};
 }
 
 }  // namespace glassbox::study

@@ -111,8 +111,8 @@ Sweep s7_nesting() {
           .error = "largest error of an entry of world_from_object (entries are about 1)",
           .reference = "the same products in 64 bits of mantissa, 2^-11 of double's roundings",
           .bound =
-              "the recurrence of the product's rounding errors in the Frobenius norm (Higham 3.5), "
-              "which is linear in the depth",
+              "the sum of the products' rounding errors in the Frobenius norm (Higham 3.5), which "
+              "grows linearly with the depth",
           .tolerance = "an error of 1e-5",
           .series = nesting_series};
 }

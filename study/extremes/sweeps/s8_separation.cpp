@@ -106,7 +106,9 @@ Sweep s8_separation() {
       .error = "largest error of the parallax at 2 to 900, window at 10, 1920 px",
       .error_unit = "px",
       .reference = "2 s (d/h)(1/f - 1/z), computed to 5 ulps of double",
-      .bound = "running bounds of transform, divide and viewport for both eyes (pipeline/bounds.h)",
+      .bound =
+          "the error bounds of transform, divide and viewport, computed along with the numbers for "
+          "both eyes (pipeline/bounds.h)",
       .tolerance =
           "an error of one step of the snap, 1/256 px, or a refusal; check_pair refuses eyes that "
           "are further apart than the picture is wide at the window",
