@@ -11,6 +11,7 @@
 #include "views/two_view/residual.h"
 #include "views/two_view/rotation.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/trig.h>
 
 namespace glassbox::views {
@@ -188,7 +189,7 @@ std::vector<OmittedItem> omitted_items(const GeometryInput& input, const Geometr
   }
   const int off = int(input.matches.size()) - report.analysis.inliers;
   if (off > 0) {
-    out.push_back({fmt::format("{} matches", off),
+    out.push_back({counted(off, "match", "matches"),
                    fmt::format("outliers, whose distance from the estimate is above {:g} px",
                                report.request.ransac.threshold)});
   }

@@ -19,6 +19,7 @@
 #include "views/rings/draw_ring.h"
 #include "views/rings/ring.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/render/engine/setting_names.h>
 #include <glassbox/render/engine/settings.h>
@@ -196,9 +197,9 @@ int ViewsRingCommand::run() {
       return refuse(written.error());
   }
   if (json_output_ == "-") return kSuccess;
-  fmt::print("{}: {} pictures of {} x {}, {:.6g} from the target, f = {:.6g} px\n",
-             printable(output_, kLongestMessage), ring->size(), size_.width, size_.height, distance,
-             first.intrinsic(0, 0));
+  fmt::print("{}: {} of {} x {}, {:.6g} from the target, f = {:.6g} px\n",
+             printable(output_, kLongestMessage), counted(ring->size(), "picture"), size_.width,
+             size_.height, distance, first.intrinsic(0, 0));
   if (is_unlit)
     fmt::print(
         "  Left out: lighting. The scene has no lights, and a lamp at the camera would change "

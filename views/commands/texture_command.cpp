@@ -31,6 +31,7 @@
 #include "views/texture/textured_surface.h"
 #include "views/texture/unlit_renderer.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/images/atomic_file.h>
@@ -301,10 +302,10 @@ Result<ViewsTextureCommand::TexturingResult> ViewsTextureCommand::texture(
 
 std::string ViewsTextureCommand::text(const ChosenPictures& pictures,
                                       const TexturingResult& found) const {
-  std::string text =
-      fmt::format("{}: {} polygons, {} pictures whose directions make {} triangles\n",
-                  printable(mesh_, kLongestMessage), found.polygons, pictures.set.pictures.size(),
-                  found.triangles);
+  std::string text = fmt::format(
+      "{}: {}, {} whose directions make {}\n", printable(mesh_, kLongestMessage),
+      counted(found.polygons, "polygon"), counted(pictures.set.pictures.size(), "picture"),
+      counted(found.triangles, "triangle"));
   if (const auto& drawn = found.drawn)
     text +=
         fmt::format("{}: {} pixels of the surface, with {} blend\n",
@@ -325,9 +326,9 @@ std::string ViewsTextureCommand::text(const ChosenPictures& pictures,
   }
   if (found.unseen > 0)
     text += fmt::format(
-        "Left out: the pictures' colours of {} polygons that no picture shows. Such a polygon has "
+        "Left out: the pictures' colours of {} that no picture shows. Such a polygon has "
         "the mesh's own colours.\n",
-        found.unseen);
+        counted(found.unseen, "polygon"));
   return text;
 }
 

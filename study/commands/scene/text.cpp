@@ -78,7 +78,7 @@ std::string second_eyes_text(const SecondEyes& eyes) {
                     percent(eye.holes), fmt::format("{:.3g}", eye.both_warped_ms),
                     times(eye.both_warped_ms)});
   }
-  rows.push_back({"the left eye twice", fmt::format("{:.3g}", one.left.rms),
+  rows.push_back({"the left eye's picture for both eyes", fmt::format("{:.3g}", one.left.rms),
                   fmt::to_string(one.left.largest), percent(one.left.wrong), "",
                   fmt::format("{:.3g}", one.one_eye_ms), "1.00"});
   text += table(rows, 1);

@@ -118,10 +118,11 @@ ExtremeCase c80_layers_drift() {
           "which rounds x w and w by at most u, which gives 2 * 64 * 2^-24 * 8192 px",
       .unit = "px",
       .oracle = Oracle::kExtended,
-      .ours = {"restarted every 64 px", [] { return measure_error(ours); }},
-      .naive = {"started once in each row", [] { return measure_error(never_anew); }},
-      .mutants = {{"restarted every 2048 px", [] { return measure_error(seldom_anew); }},
-                  {"restarted every 64 px, except w", [] { return measure_error(without_w); }}},
+      .ours = {"sums are restarted every 64 px", [] { return measure_error(ours); }},
+      .naive = {"sums are started once in each row", [] { return measure_error(never_anew); }},
+      .mutants = {{"sums are restarted every 2048 px", [] { return measure_error(seldom_anew); }},
+                  {"x and y are restarted every 64 px, but w is not",
+                   [] { return measure_error(without_w); }}},
       .not_drawn = "views/layers warps the samples; no engine of glassbox render takes part",
   };
 }

@@ -33,7 +33,7 @@ function eyeTable() {
   const ms = (time) => [digits(time), (time / eyes.one_eye_ms).toFixed(2)], percent = (pixels) => `${digits(100 * pixels / eyes.pixels)} %`;
   const rows = [["drawn", "0", "0", "0 %", "0 %", ...ms(eyes.both_drawn_ms)],
     ...eyes.warped.map((eye) => [eyeName(eye), digits(eye.rms), eye.largest, percent(eye.wrong_pixels), percent(eye.holes), ...ms(eye.both_ms)]),
-    ["the left eye twice", digits(eyes.left_in_its_place.rms), eyes.left_in_its_place.largest, percent(eyes.left_in_its_place.wrong_pixels), "", ...ms(eyes.one_eye_ms)]];
+    ["the left eye's picture for both eyes", digits(eyes.left_in_its_place.rms), eyes.left_in_its_place.largest, percent(eyes.left_in_its_place.wrong_pixels), "", ...ms(eyes.one_eye_ms)]];
   const heads = ["right eye", "RMS [1/255]", "largest", "wrong", "filled", "ms a pair", "times one eye"];
   return table(heads, heads.map((head, i) => i > 0 ? "number" : ""), rows);
 }
