@@ -31,12 +31,12 @@ struct MatrixView {
   bool mirrors = false;             // whether the picture is a mirror image of the world
   bool eye_space_is_given = true;   // false: the eye was found in the product P V
   bool looks_along_plus_z = false;  // of the given eye space; if true, it was mirrored in z
-  std::string
-      conversion;  // from the API's clip space to ours, in words; empty if they are the same
+  // From the clip space of the API to ours, in words; empty if they are the same.
+  std::string conversion;
 };
 
-// The view for a picture of `width` x `height` pixels whose depth buffer expects `range`. Errors: an
-// entry that is not finite or too large for float, a product P V that flattens the world onto a
+// The view for a picture of `width` x `height` pixels whose depth buffer expects `range`. Errors:
+// an entry that is not finite or too large for float, a product P V that flattens the world onto a
 // line or a point, an illegal size.
 Result<MatrixView> view_of_matrices(const MatrixSetup& setup, int width, int height,
                                     DepthRange range);

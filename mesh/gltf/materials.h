@@ -39,10 +39,11 @@ struct Materials {
   std::vector<TexCoordSource> texcoords;  // one for each of Scene::materials
 };
 
-// Fills scene.materials with the file's materials in their order, and "default" after them if a drawn
-// primitive names none. Fills scene.textures and scene.images with everything that drawn materials
-// need: images that nothing drawn uses are not decoded. A mesh has one table of texture coordinates: where the base colour and the emission of a
-// material need different ones, the emission is left out (shows_emission_texture).
+// Fills scene.materials with the file's materials in their order, and "default" after them if a
+// drawn primitive names none. Fills scene.textures and scene.images with everything that drawn
+// materials need: images that nothing drawn uses are not decoded. A mesh has one table of texture
+// coordinates: where the base colour and the emission of a material need different ones, the
+// emission is left out (shows_emission_texture).
 Result<Materials> convert_materials(Asset& asset, const NodeTree& tree, Scene& scene);
 
 }  // namespace glassbox::gltf

@@ -39,9 +39,9 @@ Result<Matrix> from_matrix(const std::vector<double>& numbers, std::size_t index
   return matrix;
 }
 
-// The matrix translation * rotation * scale of a node, with this scale. The quaternion q should have
-// length 1; the factor 2/|q|^2 makes a rotation from any other quaternion, too, without a square
-// root.
+// The matrix translation * rotation * scale of a node, with this scale. The quaternion q should
+// have length 1; the factor 2/|q|^2 makes a rotation from any other quaternion, too, without a
+// square root.
 Result<Matrix> from_trs(const tinygltf::Node& node, const std::vector<double>& scale,
                         std::size_t index) {
   const auto get = [](const std::vector<double>& v, std::size_t i, double otherwise) {

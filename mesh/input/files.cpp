@@ -64,8 +64,8 @@ bool has_scheme(std::string_view uri) {
   return false;
 }
 
-// A data URI (RFC 2397): the scheme, a media type with its parameters, a comma, the data. Scheme and
-// "base64" may be in any case, and any character may be a per cent code (RFC 3986).
+// A data URI (RFC 2397): the scheme, a media type with its parameters, a comma, the data. Scheme
+// and "base64" may be in any case, and any character may be a per cent code (RFC 3986).
 constexpr std::string_view kDataScheme = "data:";
 
 bool is_data_uri(std::string_view uri) {

@@ -99,10 +99,10 @@ public:
     stray_.report("statement of " + name + " stands before the first newmtl and was ignored",
                   "statements of " + name + " stand before the first newmtl and were ignored",
                   warnings_);
-    unknown_.report("unknown statement of " + name + " was ignored: " + first_unknown_,
-                    "unknown statements of " + name + " were ignored, " + first_unknown_ +
-                        " among them",
-                    warnings_);
+    unknown_.report(
+        "unknown statement of " + name + " was ignored: " + first_unknown_,
+        "unknown statements of " + name + " were ignored, " + first_unknown_ + " among them",
+        warnings_);
     for (const auto& [keyword, map] : left_out_) {
       warnings_.add(name + " names textures that are not drawn: " + map.written + " (" +
                     std::to_string(map.count) + ")");

@@ -259,9 +259,9 @@ private:
     return {};
   }
 
-  // The triangle strips of Stanford's scans: each row has many strips, and -1 ends one. Every second
-  // triangle of a strip is turned, so that all triangles have the same winding. A triangle that
-  // names a vertex twice only leads on to the next one, and is not a face.
+  // The triangle strips of Stanford's scans: each row has many strips, and -1 ends one. Every
+  // second triangle of a strip is turned, so that all triangles have the same winding. A triangle
+  // that names a vertex twice only leads on to the next one, and is not a face.
   Result<void> read_strips(const Element& element) {
     const auto indices = list_of_vertices(element);
     if (!indices) return tl::unexpected(indices.error());

@@ -1,4 +1,5 @@
-// Files that Windows programs wrote in UTF-16 are read like those in UTF-8, or refused by that name.
+// Files that Windows programs wrote in UTF-16 are read like those in UTF-8, or refused by that
+// name.
 #include <span>
 #include <string>
 #include <vector>
