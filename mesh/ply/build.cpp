@@ -173,7 +173,8 @@ private:
       }
       unused.add(vertex.index);
     }
-    unused.report("unused vertices do not have three finite numbers", warnings_, ": vertex");
+    unused.report("unused vertex does not have three finite numbers",
+                  "unused vertices do not have three finite numbers", warnings_, ": vertex");
     return {};
   }
 
