@@ -137,7 +137,7 @@ std::vector<ClipExplanation> explanations_of(const MatrixSetup& setup, const Ver
   }
   for (const ConventionMistake& mistake : convention_mistakes()) {
     MatrixSetup used = setup;
-    if (!mistake.undo(used) || !vertices.explained_by(used)) continue;
+    if (!mistake.undo(used, {}) || !vertices.explained_by(used)) continue;
     found.push_back({mistake.id, std::string("its matrices are these after you ") + mistake.what});
   }
   return found;

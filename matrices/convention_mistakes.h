@@ -25,6 +25,7 @@ enum class SetupChange {
   kViewFactors,       // changes T R to R T, with a translation T and a rotation R
   kViewFactorsBack,   // changes R T to T R
   kViewOffsetSign,    // negates the eye's position
+  kSwapLookAt,        // turns the eye round and moves it away from the point where it stood
   kModelFactors,      // changes T R to R T, as for the view
   kModelFactorsBack,  // changes R T to T R, as for the view
   kInvertModel,
@@ -38,9 +39,10 @@ struct ConventionMistake {
   const char* id;      // does not change between versions: "eye-hand"
   const char* what;    // "transpose every matrix"
   const char* remedy;  // what to look for in the user's program
-  // Undoes the mistake in `setup`. Returns false if the setup cannot contain it, for example
-  // because the matrix was not given.
-  bool (*undo)(MatrixSetup& setup);
+  // Undoes the mistake in `setup`. `points` are the points in object space that should be visible.
+  // Returns false if the setup cannot contain the mistake, for example because the matrix was not
+  // given.
+  bool (*undo)(MatrixSetup& setup, std::span<const glm::dvec4> points);
 };
 
 // All mistakes, the commonest first. This is also the order of reports if all else is equal.

@@ -12,6 +12,7 @@ namespace {
 
 struct ProjectedPoints {
   int visible = 0, behind = 0, in_front = 0;
+  int before_near = 0;               // on the eye's side of the near plane
   std::optional<glm::dvec2> window;  // of the first visible point
 };
 
@@ -24,6 +25,7 @@ ProjectedPoints project_points(const MatrixSetup& s, const Viewport& viewport,
     projected.behind += c.w < 0;
     projected.in_front += c.w > 0;
     const double low = s.dialect.z_from_minus_w ? -c.w : 0;
+    projected.before_near += c.z < low;
     const bool inside = c.w > 0 && std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && c.z >= low &&
                         c.z <= c.w;  // false if one of them is NaN
     if (!inside) continue;
@@ -113,6 +115,12 @@ void weigh_eyepoint(const SetupFacts& before, const SetupFacts& after, Alternati
 void weigh_hand(const MatrixSetup& changed, const ProjectedPoints& before,
                 const ProjectedPoints& after, Alternative& found) {
   const int points = before.behind + before.in_front;
+  const bool parallel = projection_facts(changed.projection).kind == ProjectionKind::kParallel;
+  if (parallel && before.before_near == points && after.visible == points) {
+    add_reason(found, 3,
+               "as given " + std::string(points == 1 ? "the point is" : "all points are") +
+                   " on the near side of the near plane: the projection looks the other way");
+  }
   if (before.behind == points && after.in_front == points) {
     add_reason(found, 3,
                points == 1 ? "as given w is negative: the projection looks the other way"
@@ -184,7 +192,10 @@ public:
         given_facts_(setup),
         before_(project_points(setup, viewport, points)),
         tried_{Map(setup)} {
-    for (const CheckedPoint& point : points) expects_ = expects_ || point.expected;
+    for (const CheckedPoint& point : points) {
+      expects_ = expects_ || point.expected;
+      places_.push_back(point.object);
+    }
   }
 
   ConventionsReport run() {
@@ -230,9 +241,9 @@ private:
 
   void try_changes(const ConventionMistake& mistake, const ConventionMistake* second) {
     MatrixSetup changed = setup_;
-    if (!mistake.undo(changed)) return;
+    if (!mistake.undo(changed, places_)) return;
     const MatrixSetup between = changed;
-    if (second != nullptr && !second->undo(changed)) return;
+    if (second != nullptr && !second->undo(changed, places_)) return;
     const Map map(changed);
     if (std::find(tried_.begin(), tried_.end(), map) != tried_.end()) return;
     tried_.push_back(map);
@@ -257,7 +268,8 @@ private:
     found.points = after.visible;
     found.window = after.window;
     weigh_soundness(given_facts_, judged, found);
-    weigh_eyepoint(given_facts_, judged, found);
+    // The distance of this eye from the points is a guess, so its position says nothing.
+    if (mistake.change != SetupChange::kSwapLookAt) weigh_eyepoint(given_facts_, judged, found);
     weigh(mistake.change, changed, given_facts_, before_, after, found);
     // The evidence of the second mistake shows only when the first one is undone.
     if (second != nullptr)
@@ -269,6 +281,7 @@ private:
   const MatrixSetup& setup_;
   const Viewport& viewport_;
   const std::span<const CheckedPoint> points_;
+  std::vector<glm::dvec4> places_;  // of the points, in object space
   const SetupFacts given_facts_;
   const ProjectedPoints before_;
   bool expects_ = false;

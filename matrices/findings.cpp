@@ -1,11 +1,45 @@
 #include <glassbox/matrices/findings.h>
 
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include <glassbox/base/trig.h>
 #include <glassbox/matrices/decimal.h>
 #include <glassbox/matrices/projection_factors.h>
 #include <glassbox/pipeline/affine.h>
 
 namespace glassbox {
+
+bool has_last_row_of_zeros(const glm::dmat4& m) {
+  for (int column = 0; column < 4; ++column) {
+    if (entry_at(m, 3, column) != 0) return false;
+  }
+  return true;
+}
+
+void alarm_last_row(const char* name, const glm::dmat4& m, const std::string& remedy,
+                    Findings& found) {
+  found.alarm("singular", name,
+              "its last row is 0 0 0 0: it is singular (its rank is " + std::to_string(rank_of(m)) +
+                  "), and w is 0 for every point",
+              "fill in the last row: " + remedy);
+}
+
 namespace {
+
+// The angles between the first and second, second and third, and third and first vector, in
+// degrees.
+std::string angles_text(const glm::dmat3& axes) {
+  std::string text;
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3 &a = axes[i], &b = axes[(i + 1) % 3];
+    const double angle =
+        degrees_from_radians(arctan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+    text += (i == 0 ? "" : i == 1 ? ", " : " and ") + short_number(angle, 4);
+  }
+  return text;
+}
 
 bool is_finite(const char* name, const GivenMatrix& matrix, Findings& found) {
   const auto entry = first_not_finite(matrix.m);
@@ -36,7 +70,9 @@ bool check_affine(const char* name, const MatrixFacts& facts, const GivenMatrix&
                   Findings& found) {
   if (facts.affine) return true;
   const std::string last_row = row_text(matrix.m, 3);
-  if (facts.affine_transposed) {
+  if (has_last_row_of_zeros(matrix.m)) {
+    alarm_last_row(name, matrix.m, "it should be 0 0 0 1", found);
+  } else if (facts.affine_transposed) {
     found.alarm("transposed", name,
                 "its last column is 0 0 0 1 and its last row " + last_row +
                     ": it looks transposed, columns read as rows or a matrix for row vectors (E10)",
@@ -76,6 +112,49 @@ void check_pose(const GivenMatrix& view, Findings& found) {
                  " looks like the camera's position, and its first column is horizontal: it may be "
                  "the camera's pose, world from eye",
              "a view matrix is the inverse of the pose");
+}
+
+// Checks whether the translation could be minus the eye's position, which was not rotated: [R | -e]
+// for [R | -R e]. Then its numbers are rounder than those of the eye. A camera that circles a point
+// moves along z only.
+void check_offset(const GivenMatrix& view, const MatrixFacts& facts, Findings& found) {
+  constexpr int kRound = 7, kRounder = 4;  // digits of three coordinates together
+  const auto eye = eyepoint_of(view);
+  if (!eye || !eye->level || !facts.rotation) return;
+  int digits = 0;
+  for (int row = 0; row < 3; ++row) {
+    digits += simplest_decimal(view.m[3][row], view.uncertainty[3][row]).digits;
+  }
+  const bool along_z = std::abs(facts.translation.x) <= view.uncertainty[3][0] &&
+                       std::abs(facts.translation.y) <= view.uncertainty[3][1];
+  if (along_z || digits > kRound || digits + kRounder > eye->digits) return;
+  found.hint(
+      "offset-not-rotated", "view",
+      "its translation " + short_vector_text(facts.translation) +
+          " has rounder numbers than the eye's position, " + position_text(*eye) +
+          ": it may be minus the eye's position, not rotated",
+      "the last column is -R eye: rotation * translation(-eye), with the translation next to "
+      "the vertex");
+}
+
+// How the axes of a view differ from perpendicular unit vectors.
+std::string axes_text(const MatrixFacts& facts, const glm::dmat4& view) {
+  const glm::dmat3 rows = glm::transpose(glm::dmat3(view));
+  switch (facts.shape) {
+    case MatrixShape::kSimilarity:
+      return "its axes are perpendicular, but they are scaled by " +
+             short_number(facts.scale.x, 4) + ": lengths in eye space are not those of the world";
+    case MatrixShape::kScaled:
+      return "the world's axes stay perpendicular, but they are scaled by " +
+             short_vector_text(facts.scale, 4);
+    case MatrixShape::kScaledAfter:
+      return "its axes are perpendicular, but they are scaled by " +
+             short_vector_text({glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])},
+                               4);
+    default:
+      return "its axes are not perpendicular: the angles between them are " + angles_text(rows) +
+             " degrees";
+  }
 }
 
 void check_world(const MatrixSetup& setup, Findings& found) {
@@ -140,12 +219,11 @@ void check_view(const MatrixSetup& setup, Findings& found) {
                "for an axis with the wrong sign");
   }
   if (!facts.rigid() && facts.shape != MatrixShape::kRigid) {
-    found.hint("not-rigid", "view",
-               "its axes are not perpendicular unit vectors (off by " +
-                   short_number(facts.orthogonality, 3) + ")",
+    found.hint("not-rigid", "view", axes_text(facts, setup.view.m),
                "normalise gaze, right and up; scales belong in the model matrix");
   }
   check_pose(setup.view, found);
+  check_offset(setup.view, facts, found);
 }
 
 std::vector<Finding> check_matrices(const MatrixSetup& setup) {

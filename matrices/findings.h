@@ -40,6 +40,11 @@ private:
 
 std::vector<Finding> check_matrices(const MatrixSetup& setup);
 
+// A last row of zeros, which makes any of the three matrices singular.
+bool has_last_row_of_zeros(const glm::dmat4& m);
+void alarm_last_row(const char* name, const glm::dmat4& m, const std::string& remedy,
+                    Findings& found);
+
 // The checks of each matrix on its own. Its entries must be finite.
 void check_model(const MatrixSetup& setup, Findings& found);
 void check_view(const MatrixSetup& setup, Findings& found);

@@ -1,4 +1,5 @@
 // Finds what is wrong with a projection: the part of findings.h about depth, angle and window.
+#include <algorithm>
 #include <cmath>
 
 #include <glassbox/matrices/decimal.h>
@@ -63,6 +64,24 @@ bool is_something_else(const GivenMatrix& given, Findings& found) {
     return false;
   }
   return true;
+}
+
+// Whether the matrix is P P for a perspective projection P. The last rows of P are (0, 0, A, B) and
+// (0, 0, s, 0) with s = -1 or 1, so those of P P are (0, 0, A A + s B, A B) and (0, 0, s A, s B).
+bool is_projection_twice(const GivenMatrix& given) {
+  const glm::dmat4& m = given.m;
+  double uncertainty = 0;
+  for (const int row : {2, 3}) {
+    if (!is_small(m, row, 0) || !is_small(m, row, 1) || is_small(m, row, 3)) return false;
+    for (const int column : {2, 3}) {
+      uncertainty = std::max(uncertainty, entry_at(given.uncertainty, row, column));
+    }
+  }
+  const double a = entry_at(m, 3, 2), b = entry_at(m, 3, 3);
+  const auto is = [&](double x, double y) {
+    return std::abs(x - y) <= kSmall * std::abs(y) + 4 * uncertainty;
+  };
+  return is(entry_at(m, 2, 2), a * a + b) && is(entry_at(m, 2, 3), a * b);
 }
 
 void alarm_unknown(const GivenMatrix& given, Findings& found) {
@@ -298,6 +317,20 @@ bool check_last_row(const MatrixSetup& setup, const ProjectionFacts& lens, Findi
 
 void check_projection(const MatrixSetup& setup, Findings& found) {
   const GivenMatrix& given = setup.projection;
+  if (has_last_row_of_zeros(given.m)) {
+    return alarm_last_row(kProjection, given.m,
+                          "0 0 -1 0 or 0 0 1 0 for a perspective, 0 0 0 1 for a parallel one",
+                          found);
+  }
+  if (is_projection_twice(given)) {
+    return found.alarm("projection-twice", kProjection,
+                       "it is a projection multiplied with itself: with w = a z + b its depth row "
+                       "is a a + b, a b, "
+                       "a = " +
+                           short_number(entry_at(given.m, 3, 2)) +
+                           " and b = " + short_number(entry_at(given.m, 3, 3)),
+                       "multiply the projection in once: projection * view * model");
+  }
   const ProjectionFacts whole = projection_facts(given, setup.dialect.depth);
   const bool alone = whole.kind != ProjectionKind::kNone && !whole.looks_transposed;
   if (!alone && is_something_else(given, found)) return;

@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/info/info_sections.h"
+#include "app/why/verdict_text.h"
 #include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
 #include "cli/options/output_options.h"
@@ -321,6 +322,7 @@ int InfoCommand::run() {
   for (const Mesh& mesh : scene.meshes) reports.push_back(mesh_report(mesh));
 
   const std::vector<std::string> stiff = numerical_warnings(scene);
+  const std::vector<std::string> surfaces = surface_findings(scene, std::nullopt);
 
   if (glb_output_) {
     if (const auto written = write_glb(scene, *glb_output_); !written)
@@ -330,6 +332,7 @@ int InfoCommand::run() {
     Json json = scene_json(scene, reports);
     add_contents(contents->value_or(GltfContents()), json);
     json["stiffness"] = stiff;
+    json["surfaces"] = surfaces;
     const auto written = write_json(*json_output_, json);
     if (!written) return refuse(written.error());
   }
@@ -337,6 +340,7 @@ int InfoCommand::run() {
     print_scene(scene, reports);
     if (*contents) fmt::print("{}", contents_text(**contents));
     print_warnings(scene);
+    for (const std::string& line : surfaces) fmt::print("  {}\n", line);
     for (const std::string& line : stiff) fmt::print("  {}\n", line);
   }
   return kSuccess;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/info/info_sections.h"
+#include "app/why/verdict_text.h"
 #include "cli/options/picture_options.h"
 #include "study/commands/stiffness/report.h"
 #include "study/stiffness/stiffness.h"
@@ -18,6 +19,7 @@
 #include <glassbox/pipeline/viewport.h>
 #include <glassbox/render/engine/draw_list.h>
 #include <glassbox/render/staged/vertex_stage.h>
+#include <glassbox/render/trace/depth_fights.h>
 #include <glassbox/render/trace/numbering.h>
 
 namespace glassbox::app {
@@ -165,8 +167,16 @@ std::vector<std::string> numerical_warnings(const Scene& scene) {
   if (!chosen) return {};
   if (!(box_pixels(scene, chosen->view) <= kMaxBoxPixels))
     return not_asked("too many of its triangles cover each other");
-  return study::stiffness_warnings(scene, study::stiffness_of(scene, chosen->view, usual.settings,
-                                                              study::up_of(scene, usual.camera)));
+  std::vector<std::string> lines = study::stiffness_warnings(
+      scene,
+      study::stiffness_of(scene, chosen->view, usual.settings, study::up_of(scene, usual.camera)));
+  const std::vector<DepthFight> fights = depth_fights(scene, chosen->view, usual.settings);
+  if (fights.empty()) return lines;
+  lines.push_back(fight_text(scene, chosen->view, usual.settings.depth, fights.front()));
+  if (fights.size() > 1) {
+    lines.back() += fmt::format(" {} do the same.", counted(fights.size() - 1, "other pair"));
+  }
+  return lines;
 }
 
 }  // namespace glassbox::app

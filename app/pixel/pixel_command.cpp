@@ -18,10 +18,12 @@
 #include "cli/report/exit_codes.h"
 #include "cli/report/number_json.h"
 #include "cli/report/shell_line.h"
+#include "cli/report/text_layout.h"
 
 #include <glassbox/compare/pixels/differences.h>
 #include <glassbox/images/recipe.h>
 #include <glassbox/pipeline/unproject.h>
+#include <glassbox/render/trace/depth_fights.h>
 #include <glassbox/render/trace/numbering.h>
 
 namespace glassbox::app {
@@ -103,6 +105,21 @@ Json json_of(const Scene& scene, const SeenPixel& seen) {
   return json;
 }
 
+// The pairs of fragments in this pixel that fight: the depth test compared one with the other.
+std::vector<DepthFight> fights_of(const Scene& scene, const PixelHistory& history) {
+  std::vector<DepthFight> fights;
+  for (const PixelEvent& event : history.events) {
+    if (!is_fragment(event) || !event.stored_by || !are_adjacent(event.code, event.stored))
+      continue;
+    const PixelEvent& by = history.events[*event.stored_by];
+    const std::uint32_t first = by.source.number, second = event.source.number;
+    const bool triangles = by.source.is_triangle && event.source.is_triangle;
+    if (!triangles || first == second || have_common_corner(scene, first, second)) continue;
+    fights.push_back({first, second, 1, history.x, history.y, by.distance, event.distance});
+  }
+  return fights;
+}
+
 // Whether the words are options that add_picture_options knows, written as given_option_words
 // writes them, and nothing else. In particular there is no "--" or "++", which would change the
 // meaning of the words after it.
@@ -171,8 +188,14 @@ Answer PixelCommand::answer(const Scene& scene, const View& view) const {
   Json json{{"x", at_.x}, {"y", at_.y}};
   json.update(json_of(scene, seen));
   json["history"] = to_json(scene, history);
-  return {json, fmt::format("pixel ({}, {}) of {}\n{}\n{}", at_.x, at_.y, question_.title(),
-                            text_of(scene, seen), history_text(scene, history, all_))};
+  json["depth_fights"] = Json::array();
+  std::string text = fmt::format("pixel ({}, {}) of {}\n{}\n{}", at_.x, at_.y, question_.title(),
+                                 text_of(scene, seen), history_text(scene, history, all_));
+  for (const DepthFight& fight : fights_of(scene, history)) {
+    json["depth_fights"].push_back(to_json(fight));
+    text += wrapped("", fight_text(scene, view, settings.depth, fight));
+  }
+  return {json, text};
 }
 
 void add_pixel_command(CLI::App& app, int& exit_code) {

@@ -16,6 +16,7 @@
 #include "app/frames/frames.h"
 #include "app/render/error_report.h"
 #include "app/stereo/stereo_picture.h"
+#include "app/why/verdict_text.h"
 #include "cli/frames/frames_options.h"
 #include "cli/frames/stop_request.h"
 #include "cli/options/add_command.h"
@@ -47,6 +48,7 @@
 #include <glassbox/render/engine/statistics.h>
 #include <glassbox/render/renderer.h>
 #include <glassbox/render/trace/numbering.h>
+#include <glassbox/render/trace/scene_verdict.h>
 
 namespace glassbox::app {
 
@@ -90,6 +92,7 @@ private:
   std::optional<std::string> json_output_;
   std::optional<std::string> report_output_;
   bool stats_ = false;
+  bool check_ = false;  // fail if nothing is seen
 };
 
 // The picture, and the data for the reports about it.
@@ -171,17 +174,17 @@ std::string why_nothing_can_be_drawn(const Scene& scene) {
   return why;
 }
 
+bool is_of_one_color(const Image<Rgba8>& image) {
+  return std::ranges::all_of(image.pixels,
+                             [&](const Rgba8& pixel) { return pixel == image.pixels.front(); });
+}
+
 // The explanation for a picture that shows only the background.
-std::string why_empty(const Scene& scene, Renderer& renderer, const View& view,
-                      RenderSettings settings) {
+std::string why_empty(const Scene& scene, const View& view, const SceneVerdict& found) {
   if (const std::string why = why_nothing_can_be_drawn(scene); !why.empty()) return why;
-  settings.cull = Cull::kNone;
-  if (renderer.render(view, settings).statistics.covered > 0) {
-    return "every face in view is turned away from the camera; --cull none shows faces from behind "
-           "too";
-  }
-  return "no part of the scene is in this picture; without camera options the whole scene is in "
-         "view";
+  if (found.causes.empty()) return "no part of the scene is in this picture";
+  const CauseText text = explain(scene, view, found, found.causes.front());
+  return fmt::format("no part of the scene is seen in this picture: {}; {}", text.why, text.mend);
 }
 
 }  // namespace
@@ -237,6 +240,8 @@ void RenderCommand::add_to(CLI::App& app, int& exit_code) {
       ->type_name("FILE|-")
       ->group(outputs);
   add_json_output(command, json_output_, "camera, counts and times")->group(outputs);
+  command.add_flag("--check", check_, "exit with 1 if nothing of the scene is seen")
+      ->group(outputs);
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -344,6 +349,10 @@ int RenderCommand::run_frames(const std::string& default_output) {
         {"", "--report", "it would be different for each frame",
          "leave --report out; a frame's PNG file holds the options that render it alone"});
   }
+  if (check_) {
+    return refuse({"", "--check", "it would be different for each frame",
+                   "leave --check out; a note says in how many frames nothing is in view"});
+  }
   if (output_ == "-") {
     return refuse(
         {"", "-o -", "several frames cannot go to standard output", "name a file or a directory"});
@@ -408,9 +417,14 @@ int RenderCommand::run() {
     if (stop.is_requested()) return kFailure;
   }
   progress.done();
-  if (nothing_drawn(*drawn)) {
-    fmt::print(stderr, "glassbox: note: {}\n",
-               why_empty(*scene, renderer, drawn->view, picture_.settings));
+  // A picture of one colour shows nothing, or a surface that fills it.
+  bool is_seen = true;
+  if (nothing_drawn(*drawn) || is_of_one_color(drawn->image)) {
+    const SceneVerdict found = scene_verdict(*scene, drawn->view, picture_.settings);
+    is_seen = found.shown_pixels > 0;
+    if (!is_seen) {
+      fmt::print(stderr, "glassbox: note: {}\n", why_empty(*scene, drawn->view, found));
+    }
   }
   const RunTimes times{load_ms, elapsed_ms(start)};
   if (report_output_) {
@@ -419,7 +433,8 @@ int RenderCommand::run() {
     progress.done();
     if (!written) return refuse(written.error());
   }
-  return report(output, *drawn, times);
+  const int code = report(output, *drawn, times);
+  return code == kSuccess && check_ && !is_seen ? kFailure : code;
 }
 
 // Computes the error bounds in a run of its own, so that the drawing of the picture is neither

@@ -6,6 +6,7 @@
 
 #include "app/step/number_text.h"
 #include "app/step/point_step.h"
+#include "app/step/point_summary.h"
 #include "cli/report/number_json.h"
 
 #include <glassbox/base/trig.h>
@@ -199,6 +200,7 @@ Json point_step_json(const PointStep& step) {
             {"dialect", setup.dialect.name},
             {"dialect_reason", step.dialect_reason},
             {"viewport", step.window},
+            {"summary", summary_json(summarize(step))},
             {"matrices",
              {{"model", affine_json(setup.model)},
               {"view", view_json(setup.view)},

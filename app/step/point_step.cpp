@@ -77,6 +77,8 @@ Result<PointStep> step_points(const PointStepOptions& o, const OwnMatrices& matr
   }
   PointStep step;
   step.bits = o.bits;
+  step.brief = o.brief;
+  step.check = o.check;
   NamedSetup named = setup_of(matrices);
   step.setup = std::move(named.setup);
   step.dialect_reason = std::move(named.dialect_reason);

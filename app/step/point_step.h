@@ -32,6 +32,8 @@ struct PointStepOptions {
   glm::ivec2 size{1280, 720};
   bool size_is_given = false;
   bool bits = false;
+  bool brief = false;  // only the summary
+  bool check = false;  // the exit code tells whether something is wrong
 };
 
 struct PointStep {
@@ -50,7 +52,7 @@ struct PointStep {
   std::string dialect_reason;
   std::array<double, 4> window{0, 0, 1280, 720};
   Viewport viewport;  // the window in the form that to_screen needs
-  bool bits = false;
+  bool bits = false, brief = false, check = false;
   std::vector<Walk> walks;  // in the order of the points
   // How many points there are. If a table has more than kMaxWalks, so many of them have a walk,
   // spread evenly.

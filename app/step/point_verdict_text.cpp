@@ -1,10 +1,11 @@
-// The last part of the text about points: where they are, what is wrong, and what would make them
+// The text about points, and its last part: where they are, what is wrong, and what would make them
 // visible.
 #include <algorithm>
 #include <span>
 
 #include <fmt/format.h>
 
+#include "app/step/point_summary.h"
 #include "app/step/point_texts.h"
 #include "cli/report/text_layout.h"
 
@@ -32,19 +33,10 @@ std::string point_text(const glm::vec4& p) {
 }
 
 std::string where_text(const PointStep::Walk& walk, const PointStep& step) {
-  const VertexChain& chain = walk.chain;
-  std::string line = point_text(chain.object) + " is ";
-  if (step.setup.projection.given) {
-    line += vertex_verdict_text(chain, step);
-    if (walk.expected) {
-      line += fmt::format(", expected at ({:.2f}, {:.2f})", walk.expected->x, walk.expected->y);
-    }
-  } else {
-    line += fmt::format("at {} in eye space; without --proj nothing is projected",
-                        short_vector_text(glm::dvec3(chain.to_eye.after)));
-  }
-  if (chain.object.w == 0) line += "; w = 0 makes it a direction, which no translation moves";
-  return wrapped("  ", line);
+  std::string text = wrapped("  ", where_sentence(walk, step));
+  const std::string imprecise = imprecision_text(walk, step);
+  if (imprecise.empty()) return text;
+  return text + wrapped("  WRONG ", imprecise) + wrapped("        -> ", imprecision_remedy(walk));
 }
 
 std::string behind_text(const ConventionsReport& report) {
@@ -61,8 +53,7 @@ std::string findings_text(const std::vector<Finding>& findings) {
   for (const auto& [severity, word] : kWords) {
     for (const Finding& finding : findings) {
       if (finding.severity != severity) continue;
-      const std::string place = *finding.matrix == '\0' ? "" : std::string(finding.matrix) + ": ";
-      text += wrapped(word, place + finding.cause);
+      text += wrapped(word, finding_place(finding) + finding.cause);
       if (!finding.remedy.empty()) text += wrapped("        -> ", finding.remedy);
     }
   }
@@ -147,8 +138,30 @@ std::string verdict_text(const PointStep& step) {
 
 }  // namespace
 
+std::string finding_place(const Finding& finding) {
+  return *finding.matrix == '\0' ? "" : std::string(finding.matrix) + ": ";
+}
+
+std::string where_sentence(const PointStep::Walk& walk, const PointStep& step) {
+  const VertexChain& chain = walk.chain;
+  std::string line = point_text(chain.object) + " is ";
+  if (step.setup.projection.given) {
+    line += vertex_verdict_text(walk, step);
+    if (walk.expected) {
+      line += fmt::format(", expected at ({:.2f}, {:.2f})", walk.expected->x, walk.expected->y);
+    }
+  } else {
+    line += fmt::format("at {} in eye space; without --proj nothing is projected",
+                        short_vector_text(glm::dvec3(chain.to_eye.after)));
+  }
+  if (chain.object.w == 0) line += "; w = 0 makes it a direction, which no translation moves";
+  return line;
+}
+
 std::string point_step_text(const PointStep& step) {
-  std::string text = heading_text(step) + matrices_text(step.setup);
+  const std::string summary = summary_text(summarize(step));
+  if (step.brief) return summary;
+  std::string text = summary + "\n" + heading_text(step) + matrices_text(step.setup);
   // The first points of a large table stand for the others.
   const std::size_t printed = step.walks.size() > kMaxPrintedWalks ? 3 : step.walks.size();
   for (const PointStep::Walk& walk : std::span(step.walks).first(printed)) {

@@ -230,12 +230,8 @@ std::string screen_text(const PointStep::Walk& walk, const PointStep& step) {
   line("y", ndc.y, v.bottom, v.top, s.screen.position.y, s.bound.y, s.snap_y);
   const double scale = step.setup.dialect.z_from_minus_w ? 0.5 : 1;
   text += fmt::format("     depth {} {}", short_number(s.depth, 9), bound_text(s.bound.z * scale));
-  const ProjectionFacts& p = step.lens;
-  // The depth is alpha + beta/d at the distance d = w, so an error of the depth becomes an error of
-  // d that is d^2/|beta| times as large (SPEC C, bound 8).
-  if (p.kind == ProjectionKind::kPerspective && !p.depth_lost && p.w_offset == 0) {
-    const double w = double(chain.clip.w) / p.w_scale;
-    text += fmt::format(": known to {:.1e} of distance", s.bound.z * w * w / std::abs(p.beta));
+  if (const auto depth = known_distance(walk, step)) {
+    text += fmt::format(": known to {:.1e} of distance", depth->uncertainty);
   }
   text += "\n";
   // An uncertainty below twice the rounding error bounds is not worth reporting.
@@ -259,11 +255,15 @@ std::string round_trip_text(const VertexChain& chain, bool bits) {
 
 }  // namespace
 
-std::string vertex_verdict_text(const VertexChain& chain, const PointStep& step) {
+std::string vertex_verdict_text(const PointStep::Walk& walk, const PointStep& step) {
+  constexpr double kLastDigitPx = 0.005;
+  const VertexChain& chain = walk.chain;
   switch (chain.verdict) {
     case VertexVerdict::kVisible: {
       const Point<Screen>& p = chain.screen->screen.position;
-      return fmt::format("visible at ({:.2f}, {:.2f})", p.x, p.y);
+      const double px = uncertainty_px(walk);
+      return fmt::format("visible at ({:.2f}, {:.2f})", p.x, p.y) +
+             (px > kLastDigitPx ? fmt::format(" +- {} px", short_number(px, 2)) : "");
     }
     case VertexVerdict::kNotFinite:
       return "not finite";

@@ -17,7 +17,8 @@
 //                         visible
 //     point_step          all of this for some points, transformed from space to space by
 //                         pipeline/vertex_chain.h
-//     point_matrices_text, point_walk_text, point_verdict_text, point_json   the answer
+//     point_summary, point_matrices_text, point_walk_text, point_verdict_text, point_json
+//                         the answer
 //
 // number_text writes numbers as text for both groups.
 #include <unistd.h>
@@ -34,6 +35,7 @@
 
 #include "app/commands.h"
 #include "app/step/point_step.h"
+#include "app/step/point_summary.h"
 #include "app/step/prompt.h"
 #include "app/step/scene_vertices.h"
 #include "app/trace/json.h"
@@ -234,6 +236,7 @@ void StepCommand::add_to(CLI::App& app, int& exit_code) {
   add_points(command, points_);
   add_tables(command);
   add_window(command, points_);
+  add_summary_options(command, points_);
   command.add_flag("--bits", bits_, "print the bits of each float too, in hexadecimal")
       ->group("Other outputs");
   add_json_output(command, json_output_)->group("Other outputs");
@@ -411,10 +414,10 @@ int StepCommand::run_points() {
     if (const auto written = write_json(*json_output_, point_step_json(*step)); !written) {
       return refuse(written.error());
     }
-    if (*json_output_ == "-") return kSuccess;
+    if (*json_output_ == "-") return exit_code_of(*step);
   }
   fmt::print("{}", point_step_text(*step));
-  return kSuccess;
+  return exit_code_of(*step);
 }
 
 void add_step_command(CLI::App& app, int& exit_code) {

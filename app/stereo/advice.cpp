@@ -187,7 +187,8 @@ std::vector<Advice> advise(const Scene& scene, const StereoFindings& found) {
   std::vector<Advice> all;
   if (!found.depth.seen) {
     return {
-        {"Turn the camera towards the scene; without camera options the whole scene is in view.",
+        {"Ask glassbox why what keeps the scene out of the picture; --camera none puts all of it "
+         "in view.",
          {}}};
   }
   if (found.rendering.passes == 1) {

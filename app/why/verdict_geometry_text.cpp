@@ -130,11 +130,12 @@ std::string depth_remedy(const ClippingVerdict& clipping) {
   return fmt::format("--near {:.4g} would let all of it in.", least->along_gaze * 0.99);
 }
 
-std::vector<std::string> outside_plane_texts(const ClippingVerdict& clipping, const View& view) {
+std::vector<std::string> outside_plane_texts(const TriangleVerdict& verdict, const View& view) {
+  const ClippingVerdict& clipping = *verdict.clipping;
   if (side_of(clipping.equation) != nullptr) return {beside_text(clipping, view)};
   std::vector<std::string> texts{depth_text(clipping, view)};
   if (const std::string remedy = depth_remedy(clipping); !remedy.empty()) texts.push_back(remedy);
-  if (clipping.inside_opengl_depth) {
+  if (clipping.inside_opengl_depth && verdict.conventions.opengl_range) {
     texts.push_back(
         "All corners have -w <= z <= w: with OpenGL's planes it would be kept (E16 in "
         "docs/references.md).");
@@ -264,7 +265,7 @@ std::vector<std::string> explain_geometry(const View& view, const TriangleVerdic
     case TriangleResult::kBehindEye:
       return {behind_eye_text(*verdict.clipping)};
     case TriangleResult::kOutsidePlane:
-      return outside_plane_texts(*verdict.clipping, view);
+      return outside_plane_texts(verdict, view);
     case TriangleResult::kClippedAway:
       return {clipped_away_text(*verdict.clipping)};
     case TriangleResult::kNoScreenArea:

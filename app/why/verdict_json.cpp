@@ -84,6 +84,12 @@ Json json_of(const std::vector<Occluder>& occluders) {
   return json;
 }
 
+Json json_of(const std::vector<DepthFight>& fights) {
+  Json json = Json::array();
+  for (const DepthFight& fight : fights) json.push_back(to_json(fight));
+  return json;
+}
+
 Json json_of(const TriangleFragmentCounts& t, const FragmentDetails& d) {
   Json json{{"covered", t.covered},
             {"hidden", t.hidden},
@@ -130,6 +136,13 @@ Json to_json(const CentreMiss& miss) {
           {"subpixels", miss.subpixels}};
 }
 
+Json to_json(const DepthFight& fight) {
+  return {{"triangles", {fight.first, fight.second}},
+          {"pixels", fight.pixels},
+          {"at", {fight.x, fight.y}},
+          {"distances", {fight.first_distance, fight.second_distance}}};
+}
+
 Json to_json(const TriangleVerdict& verdict) {
   Json json{{"triangle", verdict.triangle.number},
             {"instance", verdict.triangle.instance},
@@ -151,12 +164,23 @@ Json to_json(const TriangleVerdict& verdict) {
   if (verdict.result == TriangleResult::kLines) json["line_pixels"] = verdict.line_pixels;
   if (verdict.fragments.covered > 0) {
     json["fragments"] = json_of(verdict.fragments, verdict.details);
+    json["depth_fights"] = json_of(verdict.fights);
   }
   return json;
 }
 
 Json to_json(const SceneVerdict& verdict) {
-  Json json{{"triangles", verdict.triangles}, {"view", json_of(verdict.conventions)}};
+  Json json{{"triangles", verdict.triangles},
+            {"pixels", verdict.pixels},
+            {"shown_pixels", verdict.shown_pixels},
+            {"view", json_of(verdict.conventions)}};
+  json["depth_fights"] = json_of(verdict.fights);
+  json["causes"] = Json::array();
+  for (const SceneCause& cause : verdict.causes) {
+    json["causes"].push_back({{"cause", name_of(cause.cause)},
+                              {"triangles", cause.triangles},
+                              {"example", optional_number(cause.example)}});
+  }
   json["ends"] = Json::array();
   for (std::size_t i = 0; i < kTriangleResults; ++i) {
     const SceneVerdict::Group& group = verdict.groups[i];

@@ -1,6 +1,7 @@
 // A verdict as text.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/trace/verdict.h>
+#include <glassbox/render/trace/scene_verdict.h>
 
 namespace glassbox {
 
@@ -31,6 +32,16 @@ std::string list_in_words(const std::vector<std::string>& parts);
 // without line breaks.
 std::vector<std::string> explain(const View& view, const TriangleVerdict& verdict);
 
+// Two triangles that fight, their distances, and what separates them. Sentences.
+std::string fight_text(const Scene& scene, const View& view, DepthFormat format,
+                       const DepthFight& fight);
+
+// What is wrong with the sides of the scene's surfaces, a sentence each: normals that point to the
+// backs or were transformed like positions, closed surfaces whose fronts are inside, and nodes that
+// mirror. A surface with its fronts inside is right if the eye is inside, too.
+std::vector<std::string> surface_findings(const Scene& scene,
+                                          const std::optional<Point<World, double>>& eye);
+
 // What is wrong with the matrices of the view itself; empty if they are consistent.
 std::vector<std::string> explain(const ViewConventions& conventions);
 
@@ -40,9 +51,18 @@ std::vector<std::string> explain_geometry(const View& view, const TriangleVerdic
 // What it means for a scene if this happened to its triangles: "every w is 0 or less: ...".
 const char* result_meaning(TriangleResult result);
 
+// One cause of an empty picture: what is wrong, with its evidence in numbers, and what mends it. A
+// sentence each, without a full stop.
+struct CauseText {
+  std::string why, mend;
+};
+CauseText explain(const Scene& scene, const View& view, const SceneVerdict& verdict,
+                  const SceneCause& cause);
+
 // A verdict as JSON: one field per member, left out if it does not apply.
 nlohmann::ordered_json to_json(const TriangleVerdict& verdict);
 nlohmann::ordered_json to_json(const SceneVerdict& verdict);
 nlohmann::ordered_json to_json(const CentreMiss& miss);
+nlohmann::ordered_json to_json(const DepthFight& fight);
 
 }  // namespace glassbox

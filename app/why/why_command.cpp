@@ -20,7 +20,7 @@
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/error.h>
-#include <glassbox/render/trace/verdict.h>
+#include <glassbox/render/trace/scene_verdict.h>
 
 namespace glassbox::app {
 
@@ -34,7 +34,10 @@ private:
   Result<Answer> about_scene(const Scene& scene, const View& view) const;
   std::string triangle_text(const Scene& scene, const View& view,
                             const TriangleVerdict& verdict) const;
-  std::string scene_text(const SceneVerdict& found) const;
+  // The pair of triangles that fights most, and how many others there are.
+  std::string fights_text(const Scene& scene, const View& view,
+                          const std::vector<DepthFight>& fights, const char* label) const;
+  std::string scene_text(const Scene& scene, const View& view, const SceneVerdict& found) const;
   // The command line "glassbox SUBCOMMAND SCENE ... OPTION VALUE", with the options of this
   // picture.
   std::string command(const char* subcommand, const std::string& option,
@@ -69,6 +72,37 @@ std::optional<std::array<int, 2>> telling_pixel(const TriangleVerdict& verdict) 
   return std::nullopt;
 }
 
+// Where the eye stands; nothing in a parallel view.
+std::optional<Point<World, double>> eye_of(const View& view, const SceneVerdict& found) {
+  return view.perspective ? std::optional(found.extent.eye) : std::nullopt;
+}
+
+// The triangle that shows best why nothing is seen: one that the first cause takes, or else one that
+// ends as most do. Nothing if some triangle is seen.
+std::optional<std::uint32_t> telling_triangle(const SceneVerdict& found) {
+  const std::optional<TriangleResult> loss = found.most_frequent_loss();
+  if (!loss || !found.all_lost()) return std::nullopt;
+  if (found.causes.empty()) return found.at(*loss).example;
+  return found.causes.front().example;
+}
+
+// What keeps the scene out of the picture: the first cause with its mend, and a line for each of
+// the others. Empty if the scene is seen.
+std::string causes_text(const Scene& scene, const View& view, const SceneVerdict& found) {
+  std::string text;
+  for (const SceneCause& cause : found.causes) {
+    const bool first = text.empty();
+    const CauseText words = explain(scene, view, found, cause);
+    const std::string share =
+        cause.triangles == 0
+            ? ""
+            : fmt::format("{} of {}: ", cause.triangles, counted(found.triangles, "triangle"));
+    text += wrapped(first ? "  CAUSE  " : "  also   ", share + words.why);
+    if (first) text += wrapped("      -> ", words.mend);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string WhyCommand::command(const char* subcommand, const std::string& option,
@@ -90,6 +124,7 @@ std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
     text += wrapped(label, paragraph);
     label = "         ";
   }
+  text += fights_text(scene, view, verdict.fights, "         ");
   std::vector<std::string> lines;
   if (const auto at = telling_pixel(verdict)) {
     lines.push_back(command("pixel", "--at", fmt::format("{},{}", (*at)[0], (*at)[1])));
@@ -106,10 +141,24 @@ std::string WhyCommand::triangle_text(const Scene& scene, const View& view,
   return text;
 }
 
-std::string WhyCommand::scene_text(const SceneVerdict& found) const {
+std::string WhyCommand::fights_text(const Scene& scene, const View& view,
+                                    const std::vector<DepthFight>& fights,
+                                    const char* label) const {
+  if (fights.empty()) return {};
+  std::string text = fight_text(scene, view, question_.picture().settings.depth, fights.front());
+  if (fights.size() > 1) {
+    text += fmt::format(" {} do the same.", counted(fights.size() - 1, "other pair"));
+  }
+  return wrapped(label, text);
+}
+
+std::string WhyCommand::scene_text(const Scene& scene, const View& view,
+                                   const SceneVerdict& found) const {
   std::string text =
-      fmt::format("{}: {}\n", question_.title(), counted(found.triangles, "triangle"));
+      fmt::format("{}: {}\n", question_.title(), counted(found.triangles, "triangle")) +
+      causes_text(scene, view, found);
   if (found.triangles == 0) {
+    if (!found.causes.empty()) return text;
     return text + "  This scene has no triangles; glassbox pixel shows lines and points, too.\n";
   }
   text += fmt::format("  {:>10}  {:<23}{:<13}{}\n", "triangles", "end", "stage", "for example");
@@ -121,7 +170,11 @@ std::string WhyCommand::scene_text(const SceneVerdict& found) const {
                     stage_of(TriangleResult(i)), group.example);
   }
   const std::optional<TriangleResult> loss = found.most_frequent_loss();
-  if (!loss) return text;
+  std::string notes = fights_text(scene, view, found.fights, "  note   ");
+  for (const std::string& one : surface_findings(scene, eye_of(view, found))) {
+    notes += wrapped("  note   ", one);
+  }
+  if (!loss || !found.causes.empty()) return text + notes;
   const SceneVerdict::Group& lost = found.at(*loss);
   text += wrapped("  ", fmt::format("{}: {}.",
                                     lost.triangles == found.triangles
@@ -129,6 +182,7 @@ std::string WhyCommand::scene_text(const SceneVerdict& found) const {
                                         : fmt::format("Most invisible triangles end as {}",
                                                       result_words(*loss)),
                                     result_meaning(*loss)));
+  text += notes;
   const std::string line = command("why", "--triangle", std::to_string(lost.example));
   if (!found.all_lost() && !line.empty()) text += "  look   " + line + "\n";
   return text;
@@ -151,6 +205,7 @@ void WhyCommand::add_to(CLI::App& app, int& exit_code) {
           "the triangle's number in the scene, counted from 0 (render --id-out stores 1 more)")
       ->type_name("N");
   question_.add_to(command);
+  question_.add_check(command, "exit with 1 if nothing is seen, or not the triangle");
   command.callback([this, &exit_code] {
     print_pixel_centres_note(question_.picture());
     exit_code = question_.answer(
@@ -167,18 +222,24 @@ Result<Answer> WhyCommand::about_triangle(const Scene& scene, const View& view,
   const Result<TriangleVerdict> found =
       triangle_verdict(scene, view, question_.picture().settings, number);
   if (!found) return tl::unexpected(found.error());
-  Answer answer{to_json(*found), triangle_text(scene, view, *found)};
+  Answer answer{to_json(*found), triangle_text(scene, view, *found), is_seen(found->result)};
   answer.json["why"] = explain(view, *found);
   return answer;
 }
 
-// If nothing is visible, explains one triangle as an example of the most frequent reason.
+// If nothing is visible, explains one triangle as an example.
 Result<Answer> WhyCommand::about_scene(const Scene& scene, const View& view) const {
   const SceneVerdict found = scene_verdict(scene, view, question_.picture().settings);
-  Answer answer{to_json(found), scene_text(found)};
-  const std::optional<TriangleResult> loss = found.most_frequent_loss();
-  if (!loss || !found.all_lost()) return answer;
-  const Result<Answer> example = about_triangle(scene, view, found.at(*loss).example);
+  Answer answer{to_json(found), scene_text(scene, view, found), found.shown_pixels > 0};
+  answer.json["surfaces"] = surface_findings(scene, eye_of(view, found));
+  for (std::size_t i = 0; i < found.causes.size(); ++i) {
+    const CauseText text = explain(scene, view, found, found.causes[i]);
+    answer.json["causes"][i]["why"] = text.why;
+    answer.json["causes"][i]["mend"] = text.mend;
+  }
+  const std::optional<std::uint32_t> triangle = telling_triangle(found);
+  if (!triangle) return answer;
+  const Result<Answer> example = about_triangle(scene, view, *triangle);
   if (!example) return tl::unexpected(example.error());
   answer.json["example"] = example->json;
   answer.text += "\n" + example->text;

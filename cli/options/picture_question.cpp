@@ -20,6 +20,10 @@ void PictureQuestion::add_to(CLI::App& command) {
   add_json_output(command, json_output_)->group("Other outputs");
 }
 
+void PictureQuestion::add_check(CLI::App& command, const std::string& help) {
+  command.add_flag("--check", check_, help)->group("Other outputs");
+}
+
 std::string PictureQuestion::title() const {
   return fmt::format("{}, {} x {}", printable(scene_title(scene_), kLongPath), picture_.size.width,
                      picture_.size.height);
@@ -52,7 +56,7 @@ int PictureQuestion::answer_of_scene(const SceneAnswerFunction& ask) const {
     if (!written) return refuse(written.error());
   }
   if (json_output_ != "-") fmt::print("{}", found->text);
-  return kSuccess;
+  return check_ && !found->passes ? kFailure : kSuccess;
 }
 
 }  // namespace glassbox

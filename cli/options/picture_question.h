@@ -20,6 +20,7 @@ namespace glassbox {
 struct Answer {
   nlohmann::ordered_json json;
   std::string text;
+  bool passes = true;  // for --check: whether what was asked for is seen
 };
 
 class PictureQuestion {
@@ -29,6 +30,8 @@ public:
 
   // Adds SCENE, the picture options, and --json.
   void add_to(CLI::App& command);
+  // Adds --check: the exit code is 1 if the answer does not pass.
+  void add_check(CLI::App& command, const std::string& help);
 
   const std::string& scene_name() const { return scene_; }
   const PictureOptions& picture() const { return picture_; }
@@ -46,6 +49,7 @@ private:
   std::string scene_;
   PictureOptions picture_;
   std::optional<std::string> json_output_;
+  bool check_ = false;
 };
 
 }  // namespace glassbox

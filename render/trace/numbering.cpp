@@ -4,11 +4,17 @@
 
 namespace glassbox {
 
+std::uint64_t count_triangles(const Scene& scene, std::uint32_t instance) {
+  std::uint64_t count = 0;
+  for (const Face& face : scene.meshes[scene.instances[instance].mesh].faces) {
+    count += triangle_number_count(face);
+  }
+  return count;
+}
+
 std::uint64_t count_triangles(const Scene& scene) {
   std::uint64_t count = 0;
-  for (const Instance& instance : scene.instances) {
-    for (const Face& face : scene.meshes[instance.mesh].faces) count += triangle_number_count(face);
-  }
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) count += count_triangles(scene, i);
   return count;
 }
 

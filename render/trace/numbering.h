@@ -17,6 +17,9 @@ struct NumberedTriangle {
 // Returns how many triangle numbers the scene has; triangles without area are included.
 std::uint64_t count_triangles(const Scene& scene);
 
+// Returns how many of these numbers one instance has (an index into Scene::instances).
+std::uint64_t count_triangles(const Scene& scene, std::uint32_t instance);
+
 // Returns the triangle with this number; nothing if there is none.
 std::optional<NumberedTriangle> find_triangle(const Scene& scene, std::uint64_t number);
 

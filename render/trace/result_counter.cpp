@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdlib>
 #include <limits>
 #include <utility>
@@ -32,6 +33,14 @@ std::vector<Occluder> most_first(const std::unordered_map<std::uint32_t, std::ui
 }  // namespace
 
 // ---- results ----
+
+std::optional<std::size_t> first_outside_plane(const TracedTriangle& triangle,
+                                               std::span<const ClipPlane> planes) {
+  Outcode all = ~Outcode{0};
+  for (const TracedCorner& corner : triangle.corners) all &= outcode(corner.clip, planes);
+  if (all == 0) return std::nullopt;
+  return std::size_t(std::countr_zero(all));
+}
 
 TriangleResult result_before_fragments(const TracedTriangle& triangle,
                                        std::span<const ClipPlane> planes,
@@ -116,8 +125,10 @@ void ResultCounter::facing_tested(const TriangleSetup&, bool front, bool& culled
 }
 
 void ResultCounter::triangle_finished(const Triangle& triangle) {
-  entries_[draw_->first_number + triangle.number].before =
-      result_before_fragments(current_, planes_, settings_, {0, 0, width_, height_});
+  Entry& entry = entries_[draw_->first_number + triangle.number];
+  entry.before = result_before_fragments(current_, planes_, settings_, {0, 0, width_, height_});
+  if (entry.before != TriangleResult::kOutsidePlane) return;
+  entry.plane = std::uint8_t(first_outside_plane(current_, planes_).value_or(0));
 }
 
 // ---- fragments ----
@@ -172,6 +183,7 @@ void ResultCounter::count_hidden(const FragmentSource& source, const Fragment& f
 void ResultCounter::count_discarded(const FragmentSource& source, const Fragment& fragment) {
   if (!source.is_triangle) return;
   ++entries_[source.number].fragments.discarded;
+  highest_discarded_alpha_ = std::max(highest_discarded_alpha_, alpha_);
   if (source.number != subject_) return;
   auto& closest = details_.closest_discarded;
   if (closest && closest->alpha >= alpha_) return;
@@ -185,6 +197,10 @@ void ResultCounter::count_written(const FragmentSource& source, const Fragment& 
   const std::uint32_t number = source.is_triangle ? source.number : kNone;
   if (result == FragmentResult::kWritten) {
     nearest_[pixel] = {number, distance_along_gaze(view_, fragment.depth, fragment.inverse_w)};
+  }
+  constexpr float kHalfAByte = 0.5f / 255;
+  if (number != kNone && result == FragmentResult::kBlended && alpha_ < kHalfAByte) {
+    ++entries_[number].fragments.transparent;
   }
   const ColorMask& mask = settings_.mask;
   if (!mask.r && !mask.g && !mask.b && !mask.a) {
@@ -236,14 +252,17 @@ void ResultCounter::cover_layers(std::size_t pixel, std::uint32_t by) {
 
 void ResultCounter::finish() {
   for (std::size_t pixel = 0; pixel < tops_.size(); ++pixel) {
+    bool shown = false;
     for (std::uint32_t slot = tops_[pixel]; slot != kNone; slot = layers_[slot].next) {
       const Layer& layer = layers_[slot];
+      shown = shown || !layer.unchanged;
       if (layer.number == kNone) continue;
       TriangleFragmentCounts& tally = entries_[layer.number].fragments;
       ++tally.visible;
       tally.unchanged += layer.unchanged ? 1 : 0;
       tally.under_translucent += slot != tops_[pixel] ? 1u : 0u;
     }
+    shown_pixels_ += shown ? 1u : 0u;
   }
   details_.hidden_by = most_first(hidden_by_);
   details_.overwritten_by = most_first(overwritten_by_);

@@ -19,6 +19,10 @@
 
 namespace glassbox {
 
+// The first plane that all corners are outside of; nothing if there is none.
+std::optional<std::size_t> first_outside_plane(const TracedTriangle& triangle,
+                                               std::span<const ClipPlane> planes);
+
 // Returns where a triangle ends that has no fragments. `triangle` and `planes` are as a trace
 // records them.
 TriangleResult result_before_fragments(const TracedTriangle& triangle,
@@ -35,6 +39,7 @@ struct TriangleFragmentCounts {
   std::uint32_t visible = 0;            // part of the final picture
   std::uint32_t unchanged = 0;          // visible ones that left the bytes as they were
   std::uint32_t under_translucent = 0;  // visible ones with something translucent over them
+  std::uint32_t transparent = 0;        // blended with an alpha too small to change a byte
 };
 
 // Returns where a triangle with these fragments ends; this is `before` if it has none.
@@ -84,7 +89,7 @@ struct FragmentDetails {
 class ResultCounter : public Observer {
 public:
   // `subject` is the triangle that details() describes. Memory: 12 bytes for each pixel and for
-  // each write that is still visible, and 36 for each triangle.
+  // each write that is still visible, and 44 for each triangle.
   ResultCounter(const View& view, const RenderSettings& settings,
                 std::optional<std::uint32_t> subject);
 
@@ -107,11 +112,18 @@ public:
 
   struct Entry {
     TriangleResult before = TriangleResult::kNoArea;  // where it ends if it has no fragments
+    std::uint8_t plane = 0;  // for kOutsidePlane: the first plane that it is outside of
     TriangleFragmentCounts fragments;
     TriangleResult result() const { return result_of(fragments, before); }
   };
   const std::vector<Entry>& entries() const { return entries_; }  // by triangle number
   const FragmentDetails& details() const { return details_; }
+  // The clip planes of the view, in the order of Entry::plane.
+  std::span<const ClipPlane> planes() const { return planes_; }
+  // The number of pixels in which something is seen that changed their bytes.
+  std::uint64_t shown_pixels() const { return shown_pixels_; }
+  // The highest alpha among all discarded fragments; below 0 if there are none.
+  float highest_discarded_alpha() const { return highest_discarded_alpha_; }
 
 private:
   // A write to a pixel that nothing opaque has covered since.
@@ -155,6 +167,8 @@ private:
   std::vector<std::uint32_t> tops_;  // by pixel: index of its uppermost layer
   std::vector<Layer> layers_;
   std::uint32_t free_ = 0;  // the first of a list of unused layers
+  std::uint64_t shown_pixels_ = 0;
+  float highest_discarded_alpha_ = -1;
 
   Counts hidden_by_, overwritten_by_;
   FragmentDetails details_;

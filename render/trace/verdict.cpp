@@ -1,7 +1,6 @@
 #include <glassbox/render/trace/verdict.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <span>
 #include <string>
@@ -75,11 +74,7 @@ ClippingVerdict clipping(const TracedTriangle& triangle, const Trace& trace, con
     found.steps.back().vertices_left = 0;  // what is left has fewer than three different vertices
     found.plane = found.steps.size() - 1;
   } else {
-    Outcode all = ~Outcode{0};
-    for (const TracedCorner& corner : triangle.corners) {
-      all &= outcode(corner.clip, trace.planes);
-    }
-    found.plane = std::size_t(std::countr_zero(all));
+    found.plane = first_outside_plane(triangle, trace.planes).value_or(0);
   }
   found.equation = trace.planes[found.plane];
   found.inside_opengl_depth = true;
@@ -190,8 +185,13 @@ void judge_fragments(const Scene& scene, const View& view, const RenderSettings&
                      TriangleVerdict& verdict) {
   const std::uint32_t number = verdict.triangle.number;
   ResultCounter counter(view, settings, number);
-  render_staged(scene, view, with_one_sample(settings), &counter);
+  DepthFights fights(view);
+  render_staged(scene, view, with_one_sample(settings), {&counter, &fights});
   counter.finish();
+  verdict.fights = fights.fights(scene);
+  std::erase_if(verdict.fights, [&](const DepthFight& fight) {
+    return fight.first != number && fight.second != number;
+  });
   verdict.fragments = counter.entries()[number].fragments;
   verdict.details = counter.details();
   verdict.result = result_of(verdict.fragments, verdict.result);
@@ -248,43 +248,6 @@ Result<TriangleVerdict> triangle_verdict(const Scene& scene, const View& view,
     judge_fragments(scene, view, settings, verdict);
   }
   return verdict;
-}
-
-// ---- the scene ----
-
-std::optional<TriangleResult> SceneVerdict::most_frequent_loss() const {
-  std::optional<TriangleResult> commonest;
-  for (std::size_t i = 0; i < kTriangleResults; ++i) {
-    if (is_seen(TriangleResult(i)) || groups[i].triangles == 0) continue;
-    if (!commonest || groups[i].triangles > at(*commonest).triangles) commonest = TriangleResult(i);
-  }
-  return commonest;
-}
-
-bool SceneVerdict::all_lost() const {
-  std::uint64_t seen = 0;
-  for (std::size_t i = 0; i < kTriangleResults; ++i)
-    seen += is_seen(TriangleResult(i)) ? groups[i].triangles : 0;
-  return triangles > 0 && seen == 0;
-}
-
-SceneVerdict scene_verdict(const Scene& scene, const View& view, const RenderSettings& settings) {
-  ResultCounter counter(view, settings, std::nullopt);
-  render_staged(scene, view, with_one_sample(settings), &counter);
-  counter.finish();
-  SceneVerdict found;
-  found.triangles = counter.entries().size();
-  found.conventions = conventions_of(view);
-  for (std::uint32_t number = 0; number < counter.entries().size(); ++number) {
-    const ResultCounter::Entry& entry = counter.entries()[number];
-    SceneVerdict::Group& group = found.groups[std::size_t(entry.result())];
-    if (group.triangles == 0 || entry.fragments.visible > group.example_pixels) {
-      group.example = number;
-      group.example_pixels = entry.fragments.visible;
-    }
-    ++group.triangles;
-  }
-  return found;
 }
 
 }  // namespace glassbox

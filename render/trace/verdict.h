@@ -14,6 +14,7 @@
 #include <glassbox/pipeline/view.h>
 #include <glassbox/render/engine/settings.h>
 #include <glassbox/render/trace/coverage_miss.h>
+#include <glassbox/render/trace/depth_fights.h>
 #include <glassbox/render/trace/numbering.h>
 #include <glassbox/render/trace/records.h>
 #include <glassbox/render/trace/result_counter.h>
@@ -109,32 +110,13 @@ struct TriangleVerdict {
   std::optional<CentreMiss> nearest_centre;
   TriangleFragmentCounts fragments;
   FragmentDetails details;
-  std::uint64_t line_pixels = 0;  // for kLines: the pixels in which its edges are seen
+  std::vector<DepthFight> fights;  // z-fighting with other triangles: those with most pixels first
+  std::uint64_t line_pixels = 0;   // for kLines: the pixels in which its edges are seen
 };
 
 // Runs the staged reference once, and a second time if there are fragments to follow. Returns an
 // error if there is no triangle with this number.
 Result<TriangleVerdict> triangle_verdict(const Scene& scene, const View& view,
                                          const RenderSettings& settings, std::uint64_t number);
-
-// How many triangles of a scene have each result.
-struct SceneVerdict {
-  struct Group {
-    std::uint64_t triangles = 0;
-    // The triangle with the most visible pixels; if none is visible, the first one.
-    std::uint32_t example = 0;
-    std::uint32_t example_pixels = 0;
-  };
-  std::array<Group, kTriangleResults> groups;
-  std::uint64_t triangles = 0;
-  ViewConventions conventions;
-
-  const Group& at(TriangleResult result) const { return groups[std::size_t(result)]; }
-  // The most frequent result among the triangles that are not seen.
-  std::optional<TriangleResult> most_frequent_loss() const;
-  bool all_lost() const;
-};
-
-SceneVerdict scene_verdict(const Scene& scene, const View& view, const RenderSettings& settings);
 
 }  // namespace glassbox

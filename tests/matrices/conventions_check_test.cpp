@@ -18,6 +18,7 @@ namespace {
 
 namespace book = test::textbook;
 using book::given;
+using book::random_place;
 using book::Rows;
 
 // A camera, the points that it sees, and the numbers that its matrices are made from.
@@ -70,8 +71,8 @@ BookScene random_scene(Random& random) {
 
 MatrixSetup setup(const Rows& model, const Rows& view, const Rows& projection,
                   const std::string& api = "opengl") {
-  return {given(model),       given(view),  given(projection),
-          *find_dialect(api), std::nullopt, std::nullopt};
+  return {given(model), given(view), given(projection), *find_dialect(api), std::nullopt,
+          std::nullopt, {}};
 }
 
 TEST_CASE("where everything is right, every point is visible and no change is proposed") {
@@ -205,6 +206,11 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
        [](const BookScene& s) { return setup(s.view(), s.model(), s.projection()); }, 0},
       {"view and projection exchanged", SetupChange::kExchangeViewProjection,
        [](const BookScene& s) { return setup(s.model(), s.projection(), s.view()); }, 1},
+      {"a left-handed parallel projection", SetupChange::kEyeHand,
+       [](const BookScene& s) {
+         return setup(s.model(), s.view(), book::ortho_d3d(-40, 40, -40, 40, 0.5, 50, true), "d3d");
+       },
+       0.9},
       {"degrees for radians", SetupChange::kDegrees,
        [](const BookScene& s) {
          return setup(
@@ -230,6 +236,68 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
     CHECK(score.vanished > 20);
     CHECK(score.listed == score.vanished);
     CHECK(score.first >= slip.first_share * score.vanished);
+  }
+}
+
+// Points in a ball around the place that the camera looks at.
+std::vector<CheckedPoint> points_around(const book::Vector3& middle, double radius, int count,
+                                        Random& random) {
+  std::vector<CheckedPoint> points;
+  for (int i = 0; i < count; ++i) {
+    const book::Vector3 off = random_place(random, radius);
+    points.push_back(
+        {{middle[0] + off[0], middle[1] + off[1], middle[2] + off[2], 1}, std::nullopt});
+  }
+  return points;
+}
+
+TEST_CASE("exchanged arguments of look-at come first where the points are around the target") {
+  Random random(443);
+  int vanished = 0, first = 0;
+  for (int i = 0; i < 400; ++i) {
+    const BookScene s = random_scene(random);
+    const bool left = i % 2 == 1;
+    const Rows view = left ? book::look_at_left(s.at, s.eye, {0, 1, 0})
+                           : book::look_at_right(s.at, s.eye, {0, 1, 0});
+    const MatrixSetup set =
+        left ? setup(book::identity(), view,
+                     book::perspective_d3d_left(s.fovy, s.aspect, s.near, s.far), "d3d")
+             : setup(book::identity(), view, s.projection());
+    const auto points = points_around(s.at, 0.5, 8, random);
+    const ConventionsReport report = check_conventions(set, kWindow, points);
+    if (report.visible == report.points) continue;
+    ++vanished;
+    first += !report.alternatives.empty() && report.alternatives.front().points == 8 &&
+             report.alternatives.front().change == SetupChange::kSwapLookAt;
+  }
+  CAPTURE(vanished, first);
+  CHECK(vanished > 350);
+  CHECK(first >= vanished * 9 / 10);
+}
+
+TEST_CASE("the point at which the eye itself stands is explained by exchanged arguments") {
+  const Rows view = book::look_at_right({0, 0, 0}, {3, 2, 5}, {0, 1, 0});
+  const CheckedPoint point;
+  const ConventionsReport report = check_conventions(
+      setup(book::identity(), view, book::perspective_gl(1, 1.5, 0.1, 100)), kWindow, {&point, 1});
+  CHECK(report.visible == 0);
+  REQUIRE_FALSE(report.alternatives.empty());
+  CHECK(report.alternatives.front().change == SetupChange::kSwapLookAt);
+}
+
+TEST_CASE("a singular matrix is never inverted") {
+  Random random(444);
+  for (int i = 0; i < 100; ++i) {
+    const BookScene s = random_scene(random);
+    Rows model = s.model(), view = s.view();
+    (i % 2 == 0 ? model : view)[3] = {0, 0, 0, 0};
+    const ConventionsReport report =
+        check_conventions(setup(model, view, s.projection()), kWindow, s.points);
+    for (const Alternative& one : report.alternatives) {
+      CAPTURE(i, one.what);
+      CHECK(one.change != (i % 2 == 0 ? SetupChange::kInvertModel : SetupChange::kInvertView));
+      CHECK(one.second != (i % 2 == 0 ? SetupChange::kInvertModel : SetupChange::kInvertView));
+    }
   }
 }
 

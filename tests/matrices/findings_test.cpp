@@ -20,8 +20,8 @@ using book::Rows;
 
 MatrixSetup setup(const std::string& api, const Rows& model, const Rows& view,
                   const Rows& projection) {
-  return {given(model),       given(view),  given(projection),
-          *find_dialect(api), std::nullopt, std::nullopt};
+  return {given(model), given(view), given(projection), *find_dialect(api), std::nullopt,
+          std::nullopt, {}};
 }
 
 std::vector<std::string> ids(const std::vector<Finding>& findings, Severity at_least) {
@@ -115,6 +115,12 @@ TEST_CASE("every planted slip is named, on the matrix that has it") {
   rubbish[3] = {0.3, 0.2, -1, 0.5};
   const Rows d3d = book::perspective_d3d_right(book::radians(60), 1.5, 0.1, 100);
   const Rows rank3{{{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}, {0, 0, 1, 0}}};
+  const auto without_last_row = [](Rows m) {
+    m[3] = {0, 0, 0, 0};
+    return m;
+  };
+  Rows offset_not_rotated = view;
+  offset_not_rotated[0][3] = -3, offset_not_rotated[1][3] = -2, offset_not_rotated[2][3] = -5;
   const std::vector<Slipped> slips{
       {with(book::transposed(model), view, projection), "transposed", "model"},
       {with(model, book::transposed(view), projection), "transposed", "view"},
@@ -155,6 +161,11 @@ TEST_CASE("every planted slip is named, on the matrix that has it") {
       {with(model, view, rubbish), "no-projection", "projection"},
       {with(model, view, book::product(projection, view)), "contains-view", "projection",
        Severity::kHint},
+      {with(model, view, book::product(projection, projection)), "projection-twice", "projection"},
+      {with(without_last_row(model), view, projection), "singular", "model"},
+      {with(model, without_last_row(view), projection), "singular", "view"},
+      {with(model, view, without_last_row(projection)), "singular", "projection"},
+      {with(model, offset_not_rotated, projection), "offset-not-rotated", "view", Severity::kHint},
   };
   for (const Slipped& slip : slips) {
     const auto findings = check_matrices(slip.set);
@@ -169,6 +180,59 @@ TEST_CASE("every planted slip is named, on the matrix that has it") {
   MatrixSetup alone = with(model, view, book::product(projection, view));
   alone.view = {};
   CHECK(has(check_matrices(alone), "contains-view", Severity::kNote, "projection"));
+}
+
+TEST_CASE("a projection times itself is told from a projection times a view") {
+  Random random(415);
+  for (int i = 0; i < 1000; ++i) {
+    const double n = std::exp(random.between(-4, 1)), f = n * std::exp(random.between(1, 8));
+    const double angle = book::radians(random.between(20, 120)), aspect = random.between(0.5, 2);
+    const Rows view =
+        book::look_at_right(random_place(random, 20), random_place(random, 5), {0, 1, 0});
+    const std::vector<std::pair<std::string, Rows>> projections{
+        {"opengl", book::perspective_gl(angle, aspect, n, f)},
+        {"opengl", book::frustum_gl(-n * 0.4, n * 0.7, -n * 0.3, n * 0.5, n, f)},
+        {"d3d", book::perspective_d3d_left(angle, aspect, n, f)},
+        {"vulkan", book::perspective_vulkan(angle, aspect, n, f)},
+        {"reversed", book::perspective_reversed_infinite(angle, aspect, n)},
+    };
+    for (const auto& [api, projection] : projections) {
+      CAPTURE(i, api, n, f);
+      const Rows twice = book::product(projection, projection);
+      // The third row of P P for reversed infinite depth is that of depth without an offset.
+      CHECK(has(check_matrices(setup(api, book::identity(), view, twice)), "projection-twice",
+                Severity::kAlarm) == (api != "reversed"));
+      for (const Rows& other : {view, book::translation(0, 0, -random.between(0.5, 20))}) {
+        const auto findings =
+            check_matrices(setup(api, book::identity(), view, book::product(projection, other)));
+        CHECK_FALSE(has(findings, "projection-twice", Severity::kAlarm));
+      }
+    }
+  }
+}
+
+TEST_CASE("scaled and sheared views are told apart") {
+  const Rows view = book::look_at_right({3, 2, 5}, {0, 0, 0}, {0, 1, 0});
+  const Rows projection = book::perspective_gl(1, 1.5, 0.1, 100);
+  Rows shear = book::identity();
+  shear[0][1] = 1;
+  const std::pair<Rows, const char*> cases[] = {
+      {book::product(book::scaling(100, 100, 100), view),
+       "perpendicular, but they are scaled by 100"},
+      {book::product(view, book::scaling(0.01, 0.01, 0.01)), "scaled by 0.01"},
+      {book::product(book::scaling(1, 1, 2), view), "are scaled by (1, 1, 2)"},
+      {book::product(view, book::scaling(1, 3, 1)), "are scaled by (1, 3, 1)"},
+      {book::product(shear, view), "the angles between them are 45, 90 and 90 degrees"},
+  };
+  for (const auto& [scaled, words] : cases) {
+    std::string cause;
+    for (const Finding& finding :
+         check_matrices(setup("opengl", book::identity(), scaled, projection))) {
+      if (std::string(finding.id) == "not-rigid") cause = finding.cause;
+    }
+    CAPTURE(words, cause);
+    CHECK(cause.find(words) != std::string::npos);
+  }
 }
 
 TEST_CASE("aspect ratios that do not fit the picture are explained") {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <glassbox/pipeline/view.h>
-#include <glassbox/render/trace/verdict.h>
+#include <glassbox/render/trace/scene_verdict.h>
 
 #include "app/why/verdict_text.h"
 #include "tests/render/scenes.h"

@@ -1,5 +1,5 @@
 // The verdicts on all triangles of a scene at once.
-#include <glassbox/render/trace/verdict.h>
+#include <glassbox/render/trace/scene_verdict.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Mistakes of convention by which something vanishes (errata of the slides): the verdict names
 // them.
-#include <glassbox/render/trace/verdict.h>
+#include <glassbox/render/trace/scene_verdict.h>
 
 #include <string>
 #include <vector>

@@ -1,0 +1,147 @@
+#include <glassbox/render/trace/depth_fights.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glassbox/mesh/triangulate.h>
+#include <glassbox/render/engine/distance.h>
+#include <glassbox/render/staged/staged.h>
+#include <glassbox/render/trace/numbering.h>
+
+namespace glassbox {
+
+namespace {
+
+// ---- corners in common ----
+
+// The corners of the triangles of a mesh in the world. The triangulation is made once for a mesh.
+class WorldCorners {
+public:
+  explicit WorldCorners(const Scene& scene) : scene_(scene) {
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+      first_.push_back(count_);
+      count_ += count_triangles(scene, i);
+    }
+  }
+
+  bool have_common_corner(std::uint32_t a, std::uint32_t b) {
+    const auto of_a = of(a), of_b = of(b);
+    return std::ranges::any_of(of_a, [&](const Point<World, double>& p) {
+      return std::ranges::find(of_b, p) != of_b.end();
+    });
+  }
+
+private:
+  std::vector<Point<World, double>> of(std::uint32_t number) {
+    const auto after = std::ranges::upper_bound(first_, number);
+    const std::size_t i = std::size_t(after - first_.begin()) - 1;
+    const Instance& instance = scene_.instances[i];
+    const Mesh& mesh = scene_.meshes[instance.mesh];
+    auto [at, is_new] = triangulations_.try_emplace(instance.mesh);
+    if (is_new) at->second = triangulate(mesh);
+    const auto& triangles = at->second.triangles;
+    const auto found = std::ranges::lower_bound(triangles, std::uint32_t(number - first_[i]), {},
+                                                &Triangle::number);
+    std::vector<Point<World, double>> corners;
+    for (const std::uint32_t corner : found->corners) {
+      const Point<Object>& p = mesh.positions[mesh.corners[corner].position];
+      corners.push_back(scene_.nodes[instance.node].world_from_node *
+                        Point<Object, double>(double(p.x), double(p.y), double(p.z)));
+    }
+    return corners;
+  }
+
+  const Scene& scene_;
+  std::uint64_t count_ = 0;
+  std::vector<std::uint64_t> first_;  // by instance: the number of its first triangle
+  std::map<std::uint32_t, Triangulation> triangulations_;
+};
+
+// ---- how fine depth is ----
+
+// The distance that one code stands for at distance d, if the near plane were at `near`. With the
+// planes at n and f, depth is f/(f - n) (1 - n/d), so it changes by f n/((f - n) d^2) per unit of
+// distance; in a parallel view by 1/(f - n). A code of a float is at most 2^-24 of depth 1; with
+// reversed depth, n/d, it is at most 2^-23 of the depth itself.
+double step_at(const View& view, DepthFormat format, double d, double near) {
+  const bool reversed = format == DepthFormat::kFloat32Reversed;
+  const bool is_float = reversed || format == DepthFormat::kFloat32;
+  const double code = is_float ? 0x1p-24 : 1 / unorm_depth_steps(format);
+  const double range = std::isinf(view.far) ? 1 : (view.far - near) / view.far;
+  if (!view.perspective) return code * (view.far - near);
+  return reversed ? 0x1p-23 * d * range : code * d * d * range / near;
+}
+
+}  // namespace
+
+DepthRemedy remedy_of(const View& view, DepthFormat format, double distance, double other) {
+  const double d = std::max(distance, other), apart = std::abs(distance - other);
+  DepthRemedy remedy;
+  remedy.step = step_at(view, format, d, view.near);
+  remedy.offset = 2 * remedy.step;
+  // Positions are floats, so distances that differ by less than this are those of one plane.
+  if (!(apart > 0x1p-21 * d)) return remedy;
+  for (const DepthFormat finer :
+       {DepthFormat::kUnorm24, DepthFormat::kFloat32, DepthFormat::kFloat32Reversed}) {
+    if (remedy.format || finer == format) continue;
+    if (step_at(view, finer, d, view.near) <= apart / 2) remedy.format = finer;
+  }
+  const double needed = view.near * 2 * remedy.step / apart;
+  const bool enough = step_at(view, format, d, needed) <= 0.51 * apart;
+  if (view.perspective && enough && needed < std::min(distance, other) / 2) remedy.near = needed;
+  return remedy;
+}
+
+bool have_common_corner(const Scene& scene, std::uint32_t number, std::uint32_t other) {
+  return WorldCorners(scene).have_common_corner(number, other);
+}
+
+DepthFights::DepthFights(const View& view)
+    : view_(view),
+      width_(int(view.viewport.width())),
+      nearest_(std::size_t(width_) * std::size_t(view.viewport.height())) {}
+
+void DepthFights::compared(const FragmentSource& source, const Fragment& fragment,
+                           std::uint32_t code, std::uint32_t stored, bool&) {
+  const Nearest& behind = nearest_at(fragment);
+  if (!source.is_triangle || behind.number == kNone || behind.number == source.number ||
+      !are_adjacent(code, stored)) {
+    return;
+  }
+  DepthFight& fight = fights_[{behind.number, source.number}];
+  if (fight.pixels++ > 0) return;
+  fight = {behind.number,
+           source.number,
+           1,
+           fragment.x,
+           fragment.y,
+           behind.distance,
+           distance_along_gaze(view_, fragment.depth, fragment.inverse_w)};
+}
+
+void DepthFights::fragment_finished(const FragmentSource& source, const Fragment& fragment,
+                                    FragmentResult result) {
+  if (result != FragmentResult::kWritten) return;
+  nearest_at(fragment) = {source.is_triangle ? source.number : kNone,
+                          distance_along_gaze(view_, fragment.depth, fragment.inverse_w)};
+}
+
+std::vector<DepthFight> DepthFights::fights(const Scene& scene) const {
+  WorldCorners corners(scene);
+  std::vector<DepthFight> all;
+  for (const auto& [pair, fight] : fights_) {
+    if (fight.pixels < kFewestFightingPixels) continue;
+    if (!corners.have_common_corner(pair.first, pair.second)) all.push_back(fight);
+  }
+  std::ranges::stable_sort(all, std::ranges::greater(), &DepthFight::pixels);
+  return all;
+}
+
+std::vector<DepthFight> depth_fights(const Scene& scene, const View& view,
+                                     const RenderSettings& settings) {
+  DepthFights watcher(view);
+  render_staged(scene, view, with_one_sample(settings), &watcher);
+  return watcher.fights(scene);
+}
+
+}  // namespace glassbox

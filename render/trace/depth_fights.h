@@ -1,0 +1,86 @@
+// Finds z-fighting: pixels in which two surfaces have the same or adjacent depth codes, so that
+// rounding decides which of them is seen.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <glassbox/mesh/scene.h>
+#include <glassbox/pipeline/view.h>
+#include <glassbox/render/engine/observer.h>
+#include <glassbox/render/engine/settings.h>
+
+namespace glassbox {
+
+// Two depth codes that the depth test cannot be trusted to order.
+inline bool are_adjacent(std::uint32_t code, std::uint32_t other) {
+  return code > other ? code - other <= 1 : other - code <= 1;
+}
+
+// Two triangles that fight, and one pixel in which they do.
+struct DepthFight {
+  std::uint32_t first = 0, second = 0;  // numbers in the scene, in the order of drawing
+  std::uint64_t pixels = 0;
+  int x = 0, y = 0;
+  float first_distance = 0, second_distance = 0;  // along the gaze there, world units
+};
+
+// What would separate two surfaces at these distances along the gaze.
+struct DepthRemedy {
+  double step = 0;  // the distance there that one code of the format stands for, world units
+  // A format whose step is at most half of the distance between the surfaces; nothing if no format
+  // is fine enough, or if the picture has the finest one.
+  std::optional<DepthFormat> format;
+  // A near plane with which the present format is fine enough; nothing if there is none in front of
+  // both surfaces.
+  std::optional<double> near;
+  double offset = 0;  // how far apart the surfaces have to be along the gaze, world units
+};
+DepthRemedy remedy_of(const View& view, DepthFormat format, double distance, double other);
+
+// Whether two triangles have a corner at the same place in the world.
+bool have_common_corner(const Scene& scene, std::uint32_t number, std::uint32_t other);
+
+// Pairs that fight in fewer pixels are left out of reports: where two surfaces cross each other,
+// some pixels of the crossing have equal depths.
+inline constexpr std::uint64_t kFewestFightingPixels = 4;
+
+// Watches a run. Memory: 8 bytes for each pixel.
+class DepthFights : public Observer {
+public:
+  explicit DepthFights(const View& view);
+
+  void compared(const FragmentSource& source, const Fragment& fragment, std::uint32_t code,
+                std::uint32_t stored, bool& in_front) override;
+  void fragment_finished(const FragmentSource& source, const Fragment& fragment,
+                         FragmentResult result) override;
+
+  // The pairs that fight in at least kFewestFightingPixels, those with most pixels first. Triangles
+  // that have a corner in common are left out: they meet there, as neighbours in a surface do.
+  std::vector<DepthFight> fights(const Scene& scene) const;
+
+private:
+  struct Nearest {
+    std::uint32_t number = kNone;
+    float distance = 0;
+  };
+
+  Nearest& nearest_at(const Fragment& fragment) {
+    return nearest_[std::size_t(fragment.y) * std::size_t(width_) + std::size_t(fragment.x)];
+  }
+
+  const View& view_;
+  const int width_;
+  std::vector<Nearest> nearest_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, DepthFight> fights_;
+};
+
+// Runs the staged reference once.
+std::vector<DepthFight> depth_fights(const Scene& scene, const View& view,
+                                     const RenderSettings& settings);
+
+}  // namespace glassbox
