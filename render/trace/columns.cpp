@@ -14,7 +14,7 @@ class ColumnRecorder : public Observer {
 public:
   ColumnRecorder(const Scene& scene, const View& view, const RenderSettings& settings,
                  const ColumnFilter& filter, ColumnRun& run)
-      : scene_(scene), settings_(settings), filter_(filter), run_(run) {
+      : scene_(scene), settings_(settings), filter_(filter), window_(view.viewport), run_(run) {
     run_.planes = render_planes(view);
   }
 
@@ -36,7 +36,7 @@ public:
              : verdict == ClipVerdict::kReject                                  ? kMarkRejected
                                                                                 : kMarkClippedAway;
     polygon_ = &polygon;
-    reaches_ = !filter_.pixels.has_value();
+    reaches_ = !filter_.pixels || (marks_ != 0 && would_reach(corners, window_, *filter_.pixels));
   }
 
   void set_up(std::uint32_t, const std::array<ScreenVertex, 3>& vertices,
@@ -105,6 +105,7 @@ private:
   const Scene& scene_;
   const RenderSettings& settings_;
   const ColumnFilter& filter_;
+  const Viewport window_;
   ColumnRun& run_;
   const Draw* draw_ = nullptr;
   const ClipPolygon* polygon_ = nullptr;  // of the current triangle, until triangle_finished()

@@ -55,8 +55,8 @@ struct FragmentColumns {
 };
 
 struct ColumnFilter {
-  // If set, only fragments of these pixels are recorded, and only triangles of which some part
-  // after clipping has a box on the screen that reaches into them.
+  // If set, only fragments of these pixels are recorded, and only triangles whose box on the screen
+  // reaches into them, or that would reach into them if nothing clipped them.
   std::optional<PixelRect> pixels;
   std::uint64_t max_triangles = 1'000'000;
   std::uint64_t max_fragments = 4'000'000;

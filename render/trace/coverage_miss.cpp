@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <glassbox/base/elementary.h>
+#include <glassbox/pipeline/clip.h>
 #include <glassbox/raster/snap.h>
 
 namespace glassbox {
@@ -42,6 +43,18 @@ CentreMiss nearest_in_row(const TriangleSetup& triangle, int x0, int x1, int y) 
   return furthest_outside(triangle, x0, y);
 }
 
+// The planes through the eye and the edges of the rectangle, a pixel outside of it. What lies
+// between them has w >= 0.
+std::array<ClipPlane, 4> sides_of(const PixelRect& pixels, const Viewport& window) {
+  const double half_width = double(window.width()) / 2, half_height = double(window.height()) / 2;
+  const double centre_x = double(window.left) + half_width;
+  const double centre_y = double(window.top) + half_height;
+  return {{{half_width, 0, 0, centre_x - (pixels.x0 - 1), 0, "left"},
+           {-half_width, 0, 0, pixels.x1 + 1 - centre_x, 0, "right"},
+           {0, -half_height, 0, centre_y - (pixels.y0 - 1), 0, "top"},
+           {0, half_height, 0, pixels.y1 + 1 - centre_y, 0, "bottom"}}};
+}
+
 }  // namespace
 
 bool contains(const PixelRect& pixels, int x, int y) {
@@ -58,6 +71,16 @@ PixelRect pixels_touched(std::span<const ScreenVertex> vertices) {
            std::max(box.y1, y + 1)};
   }
   return box;
+}
+
+bool would_reach(const std::array<ClipVertex, 3>& corners, const Viewport& window,
+                 const PixelRect& pixels) {
+  const std::array<ClipPlane, 4> sides = sides_of(pixels, window);
+  std::array<Outcode, 3> codes;
+  for (std::size_t k = 0; k < 3; ++k) codes[k] = outcode(corners[k].position, sides);
+  const ClipVerdict verdict = trivial_verdict(codes);
+  if (verdict != ClipVerdict::kClip) return verdict == ClipVerdict::kAccept;
+  return clip_triangle(corners, sides).count > 0;
 }
 
 std::optional<CentreMiss> miss_at(const TriangleSetup& triangle, int x, int y) {

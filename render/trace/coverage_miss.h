@@ -2,6 +2,7 @@
 // or the picture.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,6 +19,11 @@ bool contains(const PixelRect& pixels, int x, int y);
 // Returns the pixels that the bounding box of these points reaches into, even if it does not cover
 // their centres. The points must be within the guard band.
 PixelRect pixels_touched(std::span<const ScreenVertex> vertices);
+
+// Whether a triangle would reach into the pixels if nothing clipped it, the part of it in front of
+// the eye. True also if it passes them by less than a pixel.
+bool would_reach(const std::array<ClipVertex, 3>& corners, const Viewport& window,
+                 const PixelRect& pixels);
 
 struct CentreMiss {
   int x = 0, y = 0;  // the pixel

@@ -5,8 +5,6 @@
 #include <unordered_set>
 #include <utility>
 
-#include <glassbox/pipeline/divide.h>
-#include <glassbox/pipeline/viewport.h>
 #include <glassbox/raster/fan.h>
 #include <glassbox/raster/snap.h>
 #include <glassbox/raster/triangle_setup.h>
@@ -16,10 +14,6 @@
 
 namespace glassbox {
 namespace {
-
-bool overlap(const PixelRect& a, const PixelRect& b) {
-  return !intersect(a, b).empty();
-}
 
 // Records the draws of a run, and knows which triangles and fragments the filter selects.
 class DrawTracer : public Observer {
@@ -84,12 +78,7 @@ private:
 class TriangleTracer : public DrawTracer {
 public:
   TriangleTracer(const Scene& scene, const View& view, const TraceFilter& filter, TraceSink& sink)
-      : DrawTracer(scene, filter, sink), view_(view), planes_(render_planes(view)) {
-    for (const ClipPlane& plane : planes_) {
-      const bool bounds_depth = plane.c != 0;
-      if (!bounds_depth) side_planes_.push_back(plane);
-    }
-  }
+      : DrawTracer(scene, filter, sink), view_(view), planes_(render_planes(view)) {}
 
   void clipped(const PrimitiveStage&, const Triangle& triangle,
                const std::array<ClipVertex, 3>& corners, ClipPolygon& polygon) override {
@@ -151,27 +140,12 @@ public:
 private:
   bool reaches_wanted_pixels() const {
     if (!filter_.pixels) return true;
-    if (was_cut_) return would_reach_wanted_pixels();
-    return std::any_of(current_.pieces.begin(), current_.pieces.end(),
-                       [this](const TracedPiece& piece) {
-                         return overlap(pixels_touched(piece.vertices), *filter_.pixels);
-                       });
-  }
-
-  // Whether the triangle would reach the wanted pixels if the near and far planes did not clip it.
-  bool would_reach_wanted_pixels() const {
-    std::array<Outcode, 3> codes;
-    for (std::size_t k = 0; k < 3; ++k) {
-      codes[k] = outcode(current_.corners[k].clip, side_planes_);
-    }
-    if (trivial_verdict(codes) == ClipVerdict::kReject) return false;
-    const ClipPolygon polygon = clip_triangle(clip_vertices(current_), side_planes_);
-    std::vector<ScreenVertex> vertices;
-    for (int i = 0; i < polygon.count; ++i) {
-      const NdcVertex ndc = divide(polygon.vertices[std::size_t(i)]);
-      vertices.push_back(to_screen(ndc, view_.viewport));
-    }
-    return !vertices.empty() && overlap(pixels_touched(vertices), *filter_.pixels);
+    const bool reaches = std::any_of(
+        current_.pieces.begin(), current_.pieces.end(), [this](const TracedPiece& piece) {
+          return !intersect(pixels_touched(piece.vertices), *filter_.pixels).empty();
+        });
+    return reaches ||
+           (was_cut_ && would_reach(clip_vertices(current_), view_.viewport, *filter_.pixels));
   }
 
   // Computes what the run itself does not compute or does not pass to observers.
@@ -208,9 +182,8 @@ private:
 
   const View& view_;
   const std::array<ClipPlane, kMaxClipPlanes> planes_;
-  std::vector<ClipPlane> side_planes_;  // the clip planes that do not bound depth
-  bool watching_ = false;               // whether the current triangle is recorded
-  bool was_cut_ = false;                // whether clipping changed the current triangle
+  bool watching_ = false;  // whether the current triangle is recorded
+  bool was_cut_ = false;   // whether clipping changed the current triangle
   // The current triangle. Its memory is reused, so that triangles that are not kept cost no
   // allocation.
   TracedTriangle current_;

@@ -17,8 +17,8 @@ struct TraceFilter {
   std::optional<std::uint32_t> triangle{};  // number in the whole scene
   // Index into Mesh::positions: triangles with that vertex.
   std::optional<std::uint32_t> position{};
-  // Fragments of these pixels, and triangles whose box on the screen reaches into them, or would
-  // reach into them if the near and far planes did not clip.
+  // Fragments of these pixels, and triangles whose box on the screen reaches into them, or that
+  // would reach into them if nothing clipped them.
   std::optional<PixelRect> pixels{};
   // By stage: whether triangles, fragments and the colours of fragments are recorded.
   bool triangles = true;

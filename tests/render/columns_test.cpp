@@ -209,6 +209,32 @@ TEST_CASE("a rectangle leaves exactly its own fragments, and their triangles") {
   }
 }
 
+TEST_CASE("a rectangle leaves the triangles that cover it, or would if they were not clipped") {
+  Random random(43);
+  std::size_t cut_away = 0;
+  for (const ColumnCase& c : column_cases()) {
+    for (int i = 0; i < 4; ++i) {
+      const int x = int(random.integer(0, kColumnsWidth - 8));
+      const int y = int(random.integer(0, kColumnsHeight - 8));
+      const PixelRect part{x, y, x + 8, y + 8};
+      INFO(c.name << ", " << x << ", " << y);
+      const TriangleColumns found = record_columns(c.scene, c.view, {}, {part}).triangles;
+      TraceFilter filter;
+      filter.pixels = part;
+      std::vector<std::uint32_t> expected;
+      for (const TracedTriangle& t : glassbox::trace(c.scene, c.view, {}, filter).trace.triangles) {
+        expected.push_back(t.number);
+      }
+      CHECK(found.number == expected);
+      cut_away +=
+          std::size_t(std::count_if(found.marks.begin(), found.marks.end(), [](std::uint8_t marks) {
+            return (marks & (kMarkRejected | kMarkClippedAway)) != 0;
+          }));
+    }
+  }
+  CHECK(cut_away > 0);
+}
+
 TEST_CASE("beyond the limits nothing is kept, but all is counted") {
   const ColumnCase c = column_cases().front();
   const ColumnRun all = record_columns(c.scene, c.view, {}, {});
