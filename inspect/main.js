@@ -16,7 +16,7 @@ const state = {
 // when its panel is made anew.
 function change(values, focus = null) {
   if (values.triangle !== undefined && values.triangle !== state.triangle && values.vertex === undefined) state.vertex = 0;
-  if (values.space !== undefined && values.space !== state.space) lookAtAll(); // its triangles are elsewhere
+  if (values.space !== undefined && values.space !== state.space) enterSpace(spaces[state.space], spaces[values.space]);
   Object.assign(state, values);
   update();
   if (focus) (document.querySelector(`input[name="${focus}"]:checked`) ?? byId(focus))?.focus();

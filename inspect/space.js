@@ -5,28 +5,34 @@
 const spaceCanvas = byId("space"), gl = spaceCanvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
 const turn = {yaw: 0.6, pitch: 0.35, zoom: 1, pivot: [0, 0, 0]}; // the pivot in the shader's coordinates, where 0 is the middle
 
+const lit = {not: 0, asSeen: 1, asShaped: 2};
 const vertexShader = `#version 300 es
 in vec3 position;
+in vec3 shape; // in eye space
+uniform int lit;
 uniform mat3 turned; // to x right, y up, z away
 uniform vec3 pivot;
 uniform vec2 scale;
-out vec3 place, at;
+out vec3 place, form;
 void main() {
   place = position;
-  at = turned * (position - pivot);
+  vec3 at = turned * (position - pivot);
+  form = lit == ${lit.asShaped} ? shape : at;
   gl_Position = vec4(at.xy * scale, at.z * 0.4, 1.0 + 0.25 * at.z);
 }`;
 const fragmentShader = `#version 300 es
 precision highp float;
-in vec3 place, at;
-uniform float reach; // what lies farther out is left away
+precision highp int;
+in vec3 place, form;
+uniform vec3 reach; // what lies farther out is left away
 uniform vec4 colour;
-uniform float shaded;
+uniform int lit;
 out vec4 pixel;
 void main() {
-  if (any(greaterThan(abs(place), vec3(reach)))) discard;
-  vec3 n = normalize(cross(dFdx(at), dFdy(at)));
-  float light = mix(1.0, 0.35 + 0.65 * abs(n.z), shaded);
+  if (any(greaterThan(abs(place), reach))) discard;
+  vec3 n = normalize(cross(dFdx(form), dFdy(form)));
+  if (dot(n, form) > 0.0) n = -n; // towards the camera, in eye space
+  float light = lit == ${lit.not} ? 1.0 : lit == ${lit.asSeen} ? 0.35 + 0.65 * abs(n.z) : 0.65 + 0.35 * dot(n, vec3(0.45, 0.72, 0.53));
   pixel = vec4(colour.rgb * light, colour.a);
 }`;
 
@@ -46,6 +52,10 @@ function startWebGl() {
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) return false;
   gl.useProgram(program);
   gl.enable(gl.DEPTH_TEST);
+  gl.depthFunc(gl.LEQUAL);
+  gl.polygonOffset(1, 1);
+  gl.enable(gl.BLEND);
+  gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA); // the canvas stays opaque
   return true;
 }
 const hasWebGl = startWebGl();
@@ -53,11 +63,12 @@ const hasWebGl = startWebGl();
 // ---- the spaces ----
 
 // The position of a corner in each space; null if it has none there. In screen space depth is
-// scaled, so that its range is as long as the picture's shorter side.
+// scaled, so that its range is as long as the picture's shorter side. The division by w leaves
+// little depth, so the divided spaces are lit by the shape that faces had before it.
 const spaces = {
   object: {name: "Object", place: (corner) => corner.object, frame: () => []},
-  world: {name: "World", place: (corner) => corner.world, frame: (run) => frustumLines(run).map(worldFromEye(run))},
-  eye: {name: "Eye", place: (corner) => corner.eye, frame: frustumLines},
+  world: {name: "World", place: (corner) => corner.world, camera: (run) => run.facts.camera.eye, frame: (run) => frustumLines(run).map(worldFromEye(run))},
+  eye: {name: "Eye", place: (corner) => corner.eye, camera: () => [0, 0, 0], frame: frustumLines},
   clip: {name: "Clip (x, y, w)", place: ({clip: [x, y, , w]}) => [x, y, w], frame: clipLines, fixed: true, mirrored: true,
     axes: ["x", "y", "w"]},
   ndc: {name: "NDC", place: ({clip}) => (clip[3] > 0 ? clip.slice(0, 3).map((value) => value / clip[3]) : null),
@@ -152,26 +163,32 @@ function meshIn(run, name) {
 
 // The positions of all corners, and the indices of each triangle's corners. `triangles` first has
 // those that are visible from both sides, then, from `oneSided` on, those that are
-// counter-clockwise on their visible side. Lines have two points each.
+// counter-clockwise on their visible side. Lines have two points each. In divided spaces `shapes`
+// has the corners' positions in eye space.
 function makeMesh(run, space, draws) {
-  const places = [], bothSides = [], oneSide = [], c = run.columns, numbers = c["triangle.number"];
-  const add = (place) => places.push(...(place ?? [NaN, NaN, NaN])) / 3 - 1;
+  const places = [], shapes = [], bothSides = [], oneSide = [], c = run.columns, numbers = c["triangle.number"];
+  const add = (vertex, eye) => {
+    if (space.divided) shapes.push(...eye());
+    return places.push(...(space.place(vertex, run) ?? [NaN, NaN, NaN])) / 3 - 1;
+  };
   for (const draw of draws) {
     const first = places.length / 3, {positions} = run.facts.meshes[draw.mesh];
     const [front, back] = [true, false].map((side) => !isCulled(run.facts, draw, side));
     const triangles = front && back ? bothSides : oneSide, turned = back !== (draw.mirrored && space !== spaces.object);
-    for (let i = 0; i < positions; i++) add(space.place(new Corner(run, draw, i), run));
+    const made = Array.from({length: positions}, (_, i) => new Corner(run, draw, i));
+    for (const corner of made) add(corner, () => corner.eye);
     for (let row = draw.firstRow; row < draw.firstRow + draw.triangles; row++) {
-      const cut = space.divided ? run.cut.get(numbers[row]) : undefined;
-      const polygon = cut ? cut.map((vertex) => add(space.place(vertex, run))) :
-        [first + c["triangle.a"][row], first + c["triangle.b"][row], first + c["triangle.c"][row]];
+      const cut = space.divided ? run.cut.get(numbers[row]) : undefined, three = corners.map((corner) => c[`triangle.${corner}`][row]);
+      const polygon = cut ? cut.map((vertex) => add(vertex, () => weighted(vertex.weights, three.map((i) => made[i].eye)))) : three.map((i) => first + i);
       if (polygon.some((at) => Number.isNaN(places[3 * at]))) continue; // behind the eye
       for (let k = 2; k < polygon.length; k++) triangles.push(polygon[0], polygon[turned ? k : k - 1], polygon[turned ? k - 1 : k]);
     }
   }
   const frame = space.frame(run).flat(), triangles = bothSides.concat(oneSide);
-  return {places, triangles, oneSided: bothSides.length, frame, ...centreOf(space.fixed || !triangles.length ? frame : places)};
+  return {places, shapes, triangles, oneSided: bothSides.length, frame, ...centreOf(space.fixed || !triangles.length ? frame : places)};
 }
+
+const weighted = (weights, places) => [0, 1, 2].map((k) => places.reduce((sum, place, i) => sum + weights[i] * place[k], 0));
 
 function centreOf(places) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -183,7 +200,7 @@ function centreOf(places) {
   return {low, high, size, centre: low.map((value, k) => (value + high[k]) / 2), scale: 1.25 / size};
 }
 
-function bufferOf(places, {centre, scale}) {
+function bufferOf(places, {centre, scale} = {centre: [0, 0, 0], scale: 1}) {
   const numbers = Float32Array.from(places, (value, i) => (value - centre[i % 3]) * scale), buffer = gl.createBuffer();
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
   gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
@@ -221,13 +238,21 @@ function turnScale() {
   return [turn.zoom / Math.max(aspect, 1), turn.zoom * Math.min(aspect, 1)];
 }
 
-function drawThings(places, mode, colour, shaded, from, count, indexes = null) {
-  gl.bindBuffer(gl.ARRAY_BUFFER, places);
-  const position = gl.getAttribLocation(program, "position");
-  gl.enableVertexAttribArray(position);
-  gl.vertexAttribPointer(position, 3, gl.FLOAT, false, 0, 0);
+// Draws buffers: `places`, and for faces lit by their shape `shapes`, at the indices if there are
+// any.
+function drawThings({places, shapes, indexes}, mode, colour, light, from, count) {
+  for (const [name, buffer] of [["position", places], ["shape", shapes]]) {
+    const attribute = gl.getAttribLocation(program, name);
+    if (!buffer) {
+      gl.disableVertexAttribArray(attribute);
+      continue;
+    }
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.enableVertexAttribArray(attribute);
+    gl.vertexAttribPointer(attribute, 3, gl.FLOAT, false, 0, 0);
+  }
   gl.uniform4fv(gl.getUniformLocation(program, "colour"), colour);
-  gl.uniform1f(gl.getUniformLocation(program, "shaded"), shaded);
+  gl.uniform1i(gl.getUniformLocation(program, "lit"), light);
   if (!indexes) {
     gl.drawArrays(mode, from, count);
     return;
@@ -241,29 +266,55 @@ const packedColour = (text) => {
   return [0, 2, 4].map((at) => parseInt(all.slice(at, at + 2), 16));
 };
 
+// How far from the middle something is drawn, in the shader's coordinates: `inside` up to the unit
+// cube or the picture, `around` a little farther.
+function reachesOf({divided}, {low, high, scale}) {
+  const all = [1e30, 1e30, 1e30];
+  return divided ? {inside: high.map((value, k) => (value - low[k]) * scale * 0.5001), around: [1, 1, 1]} : {inside: all, around: all};
+}
+
 function drawGeometry(space, mesh, edgesOnly) {
-  const buffers = (mesh.buffers ??= {places: bufferOf(mesh.places, mesh), lines: bufferOf(mesh.frame, mesh)});
-  const colour = (name) => [...packedColour(colourVariable(name)).map((byte) => byte / 255), 1];
+  const buffers = (mesh.buffers ??= {places: bufferOf(mesh.places, mesh), lines: bufferOf(mesh.frame, mesh),
+    ...(space.divided ? {shapes: bufferOf(mesh.shapes)} : {})});
+  const {inside, around} = reachesOf(space, mesh), reach = (far) => gl.uniform3fv(gl.getUniformLocation(program, "reach"), far);
+  const colour = (name, opacity = 1) => [...packedColour(colourVariable(name)).map((byte) => byte / 255), opacity];
   gl.viewport(0, 0, spaceCanvas.width, spaceCanvas.height);
   gl.clearColor(...colour("--stage"));
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   gl.uniformMatrix3fv(gl.getUniformLocation(program, "turned"), false, turnMatrix(space));
   gl.uniform3fv(gl.getUniformLocation(program, "pivot"), turn.pivot);
   gl.uniform2fv(gl.getUniformLocation(program, "scale"), turnScale());
-  gl.uniform1f(gl.getUniformLocation(program, "reach"), space.divided ? 1 : 1e30);
-  if (edgesOnly) {
-    buffers.edges ??= indexBufferOf(edgesOfTriangles(mesh.triangles));
-    drawThings(buffers.places, gl.LINES, colour("--mesh"), 0, 0, 2 * mesh.triangles.length, buffers.edges);
-  } else {
+  reach(inside);
+  if (!edgesOnly) {
     buffers.triangles ??= indexBufferOf(mesh.triangles);
-    drawThings(buffers.places, gl.TRIANGLES, colour("--mesh"), 1, 0, mesh.oneSided, buffers.triangles);
-    gl.enable(gl.CULL_FACE); // culls as the run does, but from this viewpoint, so that one can look into rooms
-    gl.frontFace(space.mirrored ? gl.CW : gl.CCW);
-    drawThings(buffers.places, gl.TRIANGLES, colour("--mesh"), 1, mesh.oneSided, mesh.triangles.length - mesh.oneSided, buffers.triangles);
-    gl.disable(gl.CULL_FACE);
+    drawFaces({...buffers, indexes: buffers.triangles}, space, mesh, colour("--mesh"));
   }
-  drawThings(buffers.lines, gl.LINES, colour("--frame"), 0, 0, mesh.frame.length / 3);
+  buffers.edges ??= indexBufferOf(edgesOfTriangles(mesh.triangles));
+  const edges = (ink) => drawThings({places: buffers.places, indexes: buffers.edges}, gl.LINES, ink, lit.not, 0, 2 * mesh.triangles.length);
+  const opacity = edgesOnly ? 1 : edgeOpacity(mesh);
+  edges(colour(edgesOnly ? "--mesh" : "--text", opacity));
+  reach(around);
+  if (space.divided) edges(colour("--text", 0.3 * opacity)); // what the picture does not have
+  const frame = (shade) => drawThings({places: buffers.lines}, gl.LINES, colour("--other", shade), lit.not, 0, mesh.frame.length / 3);
+  frame(1);
+  gl.disable(gl.DEPTH_TEST); // the frustum shows through walls
+  frame(0.5);
+  gl.enable(gl.DEPTH_TEST);
 }
+
+function drawFaces(buffers, space, mesh, colour) {
+  const draw = (from, to) => drawThings(buffers, gl.TRIANGLES, colour, space.divided ? lit.asShaped : lit.asSeen, from, to - from);
+  gl.enable(gl.POLYGON_OFFSET_FILL); // behind their edges
+  draw(0, mesh.oneSided);
+  gl.enable(gl.CULL_FACE); // culls as the run does, but from this viewpoint, so that one can look into rooms
+  gl.frontFace(space.mirrored ? gl.CW : gl.CCW);
+  draw(mesh.oneSided, mesh.triangles.length);
+  gl.disable(gl.CULL_FACE);
+  gl.disable(gl.POLYGON_OFFSET_FILL);
+}
+
+// The edges of many triangles are fainter, so that they do not cover the faces.
+const edgeOpacity = ({triangles}) => clamp(2000 / triangles.length, 0.04, 0.4);
 
 let lastLook = "";  // describes how the geometry was drawn last
 let lastMesh = null;
@@ -301,6 +352,12 @@ function goToTriangle() {
   drawSpace();
 }
 const lookAtAll = () => Object.assign(turn, {zoom: 1, pivot: [0, 0, 0]});
+// Shows all of another space (its triangles are elsewhere). The divided spaces open as the picture
+// is seen, turned a little; between spaces of one kind the turn stays.
+function enterSpace(from, to) {
+  lookAtAll();
+  if (Boolean(from.divided) !== Boolean(to.divided)) Object.assign(turn, to.divided ? {yaw: 0.3, pitch: 0.2} : {yaw: 0.6, pitch: 0.35});
+}
 function seeAll() {
   lookAtAll();
   drawSpace();

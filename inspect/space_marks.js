@@ -1,5 +1,5 @@
-// Draws what is on top of the 3D geometry: the axes of the space with their names, the chosen
-// triangle, and its chosen vertex. The geometry does not hide them.
+// Draws what is on top of the 3D geometry: the axes of the space with their names, the camera, the
+// chosen triangle, and its chosen vertex. The geometry does not hide them.
 
 const marksCanvas = byId("space-marks"), marks2d = marksCanvas.getContext("2d");
 
@@ -97,6 +97,26 @@ function drawAxes(eye, {from, near, axes}) {
   if (!near) writeBeside(foot, vectorText(from), colourVariable("--quiet"), [0, 1]);
 }
 
+// ---- the camera ----
+
+function drawCamera(eye, run, {camera}) {
+  const at = camera && eye.outline([camera(run)])[0];
+  if (!at) return;
+  const size = 6 * devicePixelRatio, colour = colourVariable("--other");
+  marks2d.beginPath();
+  marks2d.arc(...at, size, 0, 2 * Math.PI);
+  marks2d.fillStyle = colourVariable("--stage");
+  marks2d.fill();
+  marks2d.strokeStyle = colour;
+  marks2d.lineWidth = 2 * devicePixelRatio;
+  marks2d.stroke();
+  marks2d.beginPath();
+  marks2d.arc(...at, size / 2.5, 0, 2 * Math.PI);
+  marks2d.fillStyle = colour;
+  marks2d.fill();
+  writeBeside(at, "camera", colour, [-0.7, -0.8]);
+}
+
 // ---- what is chosen ----
 
 // The position of a vertex of the chosen triangle in the space. A vertex made by clipping has the
@@ -105,8 +125,7 @@ function placeOfVertex(run, space, chain, vertex) {
   if (vertex < 3) return space.place(chain.corners[vertex], run);
   const {clip, weights} = chain.polygon[vertex - 3];
   if (space.divided || space.fixed) return space.place({clip}, run);
-  const places = chain.corners.map((corner) => space.place(corner, run));
-  return [0, 1, 2].map((k) => places.reduce((sum, place, i) => sum + weights[i] * place[k], 0));
+  return weighted(weights, chain.corners.map((corner) => space.place(corner, run)));
 }
 
 function drawChosen(eye, run, space, chain) {
@@ -130,6 +149,7 @@ function drawMarks(run, space, mesh) {
   const eye = new Eye(space, mesh);
   marks2d.clearRect(0, 0, marksCanvas.width, marksCanvas.height);
   drawAxes(eye, axesOf(run, space, mesh));
+  drawCamera(eye, run, space);
   const chain = state.triangle === null ? null : cachedChain(run, state.triangle);
   if (chain) drawChosen(eye, run, space, chain);
 }
