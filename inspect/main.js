@@ -48,6 +48,7 @@ function showScrubber() {
   byId("overlay").value = state.overlay;
   byId("space-name").value = state.space;
   byId("hex").checked = state.hex;
+  byId("now").className = "";
   byId("now").textContent = `After ${state.at.toLocaleString("en")} of ${count(run.fragmentCount, "fragment")}. ` + fragmentText(run);
 }
 
@@ -88,7 +89,8 @@ function choosePixel(x, y) {
   change(chosen === undefined ? {fragment: null, triangle: null, cursor} : fragmentValues(chosen));
 }
 
-const say = (text) => { byId("now").textContent = text; };
+// Says something in place of the moment, in full also where the window is narrow.
+const say = (text) => Object.assign(byId("now"), {textContent: text, className: "said"});
 
 function chooseTriangle(number) {
   stopPlaying();

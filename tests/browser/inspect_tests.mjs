@@ -247,6 +247,29 @@ test("inspect: nothing is wider than a narrow window", async () => {
   return opened;
 });
 
+test("inspect: in a narrow window the timeline is slim, lies over everything, and the other controls are in the page", async () => {
+  const height = 740, opened = await openPage(inspect("small", "teapot", ...small), {viewport: {width: 420, height}}, "#pixel=160,90"), {page} = opened;
+  for (const down of [0, 100, 200, 300, 600, 1e6]) {
+    await page.evaluate((y) => scrollTo(0, y), down);
+    const {top, bottom, covered} = await page.evaluate(() => {
+      const {top, bottom} = document.getElementById("timeline").getBoundingClientRect(), controls = document.querySelectorAll("#timeline button, #timeline input");
+      const isSeen = (node) => { const box = node.getBoundingClientRect(); return document.elementFromPoint(box.left + 3, box.top + box.height / 2) === node; };
+      return {top, bottom, covered: [...controls].filter((node) => !isSeen(node)).map(({id}) => id)};
+    });
+    assert.ok(Math.abs(bottom - height) < 1, `it stays at the bottom at ${down} px: ${bottom}`);
+    assert.ok(bottom - top < 0.1 * height, `it is ${bottom - top} px high`);
+    assert.deepEqual(covered, [], `at ${down} px`);
+  }
+  for (const id of ["#play-what", "#fragment-number", "#pixel-back", "#pixel-forward"]) {
+    await page.locator(id).scrollIntoViewIfNeeded();
+    assert.ok(await page.locator(id).isVisible(), id);
+  }
+  await page.fill("#triangle-number", "99999999");
+  await page.press("#triangle-number", "Enter");
+  assert.ok(await page.locator("#now").evaluate((node) => node.scrollWidth <= node.clientWidth), "what it has to say is not cut off");
+  return opened;
+});
+
 test("inspect: screenshots", async () => {
   fs.mkdirSync(file("screenshots"), {recursive: true});
   const made = inspect("room", "room", "--size", "640x360", "--pixel", "320,200"), open = "#pixel=320,200&space=world";
