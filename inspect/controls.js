@@ -45,10 +45,10 @@ function listenToControls() {
   on("zoom-out", "click", () => zoomBy(-1));
   on("zoom-fit", "click", () => fitPicture());
   on("scrubber", "input", ({target}) => scrubTo(Number(target.value)));
-  on("first", "click", () => scrubTo(0));
+  on("first", "click", () => goToEnd(0));
   on("back", "click", () => stepBy(-1));
   on("forward", "click", () => stepBy(1));
-  on("last", "click", () => scrubTo(state.runs[0].fragmentCount));
+  on("last", "click", () => goToEnd(state.runs[0].fragmentCount));
   on("pixel-back", "click", () => stepOnPixel(-1));
   on("pixel-forward", "click", () => stepOnPixel(1));
   on("fragment-number", "change", ({target}) => Number(target.value) >= 1 && chooseFragment(Math.round(target.value) - 1));
@@ -72,8 +72,8 @@ function onKey(event) {
   const keys = {
     ArrowRight: () => (event.shiftKey ? stepOnPixel(1) : stepBy(1)),
     ArrowLeft: () => (event.shiftKey ? stepOnPixel(-1) : stepBy(-1)),
-    Home: () => scrubTo(0),
-    End: () => scrubTo(state.runs[0].fragmentCount),
+    Home: () => goToEnd(0),
+    End: () => goToEnd(state.runs[0].fragmentCount),
     "+": () => zoomBy(1), "=": () => zoomBy(1), "-": () => zoomBy(-1), 0: () => fitPicture(),
     w: () => moveCursor(0, -1), a: () => moveCursor(-1, 0), s: () => moveCursor(0, 1), d: () => moveCursor(1, 0),
     p: () => byId("play").click(), P: () => byId("play").click(),

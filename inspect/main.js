@@ -75,18 +75,22 @@ function chooseFragment(i) {
   change({...fragmentValues(i), at: i + 1});
 }
 
-// Chooses the fragment visible there at this moment, or else the last one that arrived. The picture
-// stays the same.
+// The fragment visible at a pixel after the first `at` fragments, or else the last one that arrived
+// there, chosen; none if none has arrived.
+function pixelValues(cursor, at) {
+  const run = state.runs[0], past = Array.from(fragmentsAt(run, cursor.x, cursor.y)).filter((i) => i < at);
+  const chosen = past.findLast((i) => run.columns["fragment.fate"][i] >= 2) ?? past.at(-1);
+  return chosen === undefined ? {fragment: null, triangle: null, cursor} : fragmentValues(chosen);
+}
+
+// Chooses a pixel. The picture stays the same.
 function choosePixel(x, y) {
   stopPlaying();
   const run = state.runs[0];
   if (!(x >= 0 && y >= 0 && x < run.width && y < run.height)) return;
-  const cursor = {x: Math.floor(x), y: Math.floor(y)};
-  const past = Array.from(fragmentsAt(run, cursor.x, cursor.y)).filter((i) => i < state.at);
-  const chosen = past.findLast((i) => run.columns["fragment.fate"][i] >= 2) ?? past.at(-1);
-  state.cursor = cursor;
+  state.cursor = {x: Math.floor(x), y: Math.floor(y)};
   showCursor();
-  change(chosen === undefined ? {fragment: null, triangle: null, cursor} : fragmentValues(chosen));
+  change(pixelValues(state.cursor, state.at));
 }
 
 // Says something in place of the moment, in full also where the window is narrow.
@@ -101,6 +105,12 @@ function chooseTriangle(number) {
   }
   const first = firstFragmentOf(run, number);
   change({triangle: number, ...(first < 0 ? {fragment: null} : fragmentValues(first))});
+}
+
+// Chooses a triangle, and leaves the pixel chosen.
+function chooseHere(number) {
+  stopPlaying();
+  change({triangle: number, fragment: null});
 }
 
 const stepBy = (by) => chooseFragment(clamp((state.fragment ?? state.at - Math.max(by, 0)) + by, 0, state.runs[0].fragmentCount - 1));
@@ -119,6 +129,12 @@ const momentValues = (at) => (at > 0 ? {...fragmentValues(at - 1), at} : {at: 0,
 function scrubTo(at) {
   stopPlaying();
   change(momentValues(at));
+}
+
+// Shows the picture before the first fragment, or after the last. The chosen pixel stays.
+function goToEnd(at) {
+  stopPlaying();
+  change({at, ...(state.cursor ? pixelValues(state.cursor, at) : {fragment: null})});
 }
 
 // ---- the address bar ----

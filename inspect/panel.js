@@ -22,8 +22,14 @@ function counterpart(run, fragment) {
 
 function nothingChosen(fragment) {
   return element("p", {className: "quiet"}, fragment ? "This fragment comes from a line or a point, not from a triangle." :
-    state.cursor ? "No fragment came here so far: the pixel shows the background. Click on something that is drawn, or enter the number of a triangle." :
+    state.cursor ? `No fragment came here so far: the pixel shows the background. ${whyEmpty(eventsAt(state.runs[0], state.cursor.x, state.cursor.y))}` :
       "Click in the picture, or enter the number of a triangle.");
+}
+
+function whyEmpty(events) {
+  if (!events.length) return "Click on something that is drawn, or enter the number of a triangle.";
+  const told = events.slice(0, 3).map((event) => `Triangle ${event.number}: ${eventText(event)}.`), rest = events.length - told.length;
+  return [...told, rest ? `The list above has ${rest.toLocaleString("en")} more.` : ""].join(" ");
 }
 
 // ---- the pixel ----
@@ -36,12 +42,13 @@ function showPixel() {
     byId("pixel-note").textContent = "No pixel is chosen.";
     return;
   }
-  const list = fragmentsAt(run, cursor.x, cursor.y), at = 4 * (cursor.y * run.width + cursor.x);
+  const list = historyOf(run, cursor.x, cursor.y), events = eventsAt(run, cursor.x, cursor.y), at = 4 * (cursor.y * run.width + cursor.x);
   const bytes = Array.from(state.playbacks[0].picture.subarray(at, at + 4));
-  byId("pixel-note").textContent = `${count(list.length, "fragment")}; shows ${bytesText(bytes)}`;
-  const shown = list.length > 200 ? list.slice(0, 200) : list, items = Array.from(shown, (i) => element("li", {}, fragmentButton(run, i)));
+  byId("pixel-note").textContent = `${count(list.length - events.length, "fragment")}; shows ${bytesText(bytes)}` +
+    (events.length ? `; without a fragment: ${eventCounts(events)}` : "");
+  const items = list.slice(0, 200).map(({fragment, event}) => element("li", {}, event ? eventButton(event) : fragmentButton(run, fragment)));
   byId("pixel-fragments").append(...items);
-  const chosen = items[shown.indexOf(state.fragment ?? -1)];
+  const chosen = items.find((item) => item.querySelector("[aria-current]"));
   if (chosen && items.length > 6) byId("pixel-fragments").scrollTop = chosen.offsetTop - 3 * chosen.offsetHeight;
 }
 const bytesText = ([r, g, b, a]) => `(${r}, ${g}, ${b})` + (a === 255 ? "" : ` alpha ${a}`);
@@ -54,6 +61,15 @@ function fragmentButton(run, i) {
     element("small", {}, `fragment ${(i + 1).toLocaleString("en")}`));
   if (i === state.fragment) button.setAttribute("aria-current", "true");
   if (i >= state.at) button.classList.add("later");
+  return button;
+}
+
+// A triangle that would have covered the pixel. A click chooses it, and the pixel stays.
+function eventButton(event) {
+  const {number, fate} = event, button = element("button", {type: "button", onclick: () => chooseHere(number)},
+    element("span", {}, `triangle ${number}`), element("span", {className: `fate fate-${fate}`}, fate), element("small", {}, "no fragment"),
+    element("small", {className: "why"}, eventText(event)));
+  if (state.fragment === null && state.triangle === number) button.setAttribute("aria-current", "true");
   return button;
 }
 

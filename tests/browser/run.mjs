@@ -15,6 +15,7 @@ import "./colours_tests.mjs";
 import "./curve_tests.mjs";
 import "./drawing_tests.mjs";
 import "./geometry_tests.mjs";
+import "./inspect_history_tests.mjs";
 import "./inspect_space_tests.mjs";
 import "./inspect_tests.mjs";
 import "./inspect_ways_tests.mjs";
