@@ -1,5 +1,6 @@
 // A page in Chromium, watched: what it asks for, what goes wrong in it, and what it draws.
 import {chromium} from "playwright-core";
+import {decodePng} from "./pictures.mjs";
 
 const running = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
@@ -148,4 +149,24 @@ export async function clickOnShape(page) {
     return {x: (at % width + .5) * scale, y: (Math.floor(at / width) + .5) * scale};
   });
   await page.locator("#shape").click({position});
+}
+
+// For each element that scrolls sideways: whether a shadow lies over its left and over its right edge, at either end of the way. There is one
+// where most rows of the picture do not have the colour of the panel.
+export async function shadowsOf(page, selector) {
+  const found = [];
+  for (const each of await page.locator(selector).all()) {
+    if (!await each.isVisible() || await each.evaluate((node) => node.scrollWidth <= node.clientWidth)) continue;
+    const under = (await each.evaluate((node) => getComputedStyle(node).backgroundColor)).match(/\d+/g).map(Number), ends = [];
+    for (const end of ["start", "end"]) {
+      await each.evaluate((node, at) => { node.scrollLeft = at === "end" ? node.scrollWidth : 0; }, end);
+      await drawn(page);
+      const {width, height, channels, samples} = decodePng(await each.screenshot());
+      const isPanel = (x, y) => [0, 1, 2].every((k) => Math.abs(samples[(y * width + x) * channels + k] - under[k]) < 24);
+      const shadowAt = (x) => Array.from({length: height}, (_, y) => !isPanel(x, y)).filter(Boolean).length > height / 2;
+      ends.push([shadowAt(1), shadowAt(width - 2)]);
+    }
+    found.push(ends);
+  }
+  return found;
 }

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import {coloured, namelessControls, openPage} from "./browser.mjs";
+import {coloured, namelessControls, openPage, shadowsOf} from "./browser.mjs";
 import {file, hostile, test} from "./cases.mjs";
 import {decodePng} from "./pictures.mjs";
 
@@ -131,6 +131,30 @@ test("stereo: names are text, every control and picture has a name, and nothing 
       assert.deepEqual(problems, []);
       await close();
     }
+  }
+});
+
+test("stereo: a wide window is filled, and in a narrow one a shadow shows that there is more of a table", async () => {
+  const made = stereo("room", "room", ...room);
+  for (const each of [made, stereo("one-advice", "room", "--size", "320x180")]) {
+    const {page, problems, close} = await openPage(each);
+    const boxes = await page.locator("#start section").evaluateAll((all) => all.map((section) => section.getBoundingClientRect().toJSON()));
+    const top = Math.min(...boxes.map((box) => box.top)), ends = [0, 640].map((from) => Math.max(...boxes.filter(({left}) => left >= from && left < from + 640).map(({bottom}) => bottom - top)));
+    assert.ok(Math.min(...ends) > 0.65 * Math.max(...ends), `the columns are ${ends} px long`);
+    assert.deepEqual(await shadowsOf(page, ".scroll"), [], "no table is too wide");
+    assert.deepEqual(problems, []);
+    await close();
+  }
+  const plain = await openPage(stereo("plain", "room", "--size", "320x180")); // without the curve beside the table
+  const methods = await plain.page.locator("#methods").boundingBox(), table = await plain.page.locator("#methods-table").boundingBox();
+  assert.ok(table.width > 0.9 * methods.width, `${table.width} of ${methods.width} px`);
+  await plain.close();
+  for (const colorScheme of ["light", "dark"]) {
+    const {page, problems, close} = await openPage(made, {viewport: {width: 420, height: 800}, colorScheme}), shadows = await shadowsOf(page, ".scroll");
+    assert.ok(shadows.length >= 1);
+    for (const each of shadows) assert.deepEqual(each, [[false, true], [true, false]], colorScheme);
+    assert.deepEqual(problems, []);
+    await close();
   }
 });
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import {coloured, namelessControls, openPage} from "./browser.mjs";
+import {coloured, namelessControls, openPage, shadowsOf} from "./browser.mjs";
 import {file, hostile, test} from "./cases.mjs";
 
 const program = path.resolve(process.argv[2]);
@@ -125,6 +125,20 @@ test("study: a sweep's chart has a cross where a series gives up, and the cases 
   assert.match(await page.locator("#table").innerText(), /C-43.*73200.*4 of 4\s*\d+ of \d+\s*pass/s);
   assert.ok(await page.locator("#near-far tbody tr").count() > 20);
   return opened;
+});
+
+test("study: where a table is wider than the window, a shadow shows on which side there is more", async () => {
+  const reported = report();
+  run("extremes", "C-43", "C-20", "--html", "cases.html");
+  for (const made of [reported, file("study", "cases.html")]) {
+    for (const colorScheme of ["light", "dark"]) {
+      const {page, problems, close} = await openPage(made, {viewport: {width: 420, height: 800}, colorScheme}), shadows = await shadowsOf(page, ".scroll");
+      assert.ok(shadows.length >= 1);
+      for (const each of shadows) assert.deepEqual(each, [[false, true], [true, false]], `${path.basename(made)}, ${colorScheme}`);
+      assert.deepEqual(problems, []);
+      await close();
+    }
+  }
 });
 
 test("study: screenshots", async () => {
