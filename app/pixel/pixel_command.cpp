@@ -106,11 +106,12 @@ Json json_of(const Scene& scene, const SeenPixel& seen) {
 }
 
 // The pairs of fragments in this pixel that fight: the depth test compared one with the other.
-std::vector<DepthFight> fights_of(const Scene& scene, const PixelHistory& history) {
+std::vector<DepthFight> fights_of(const Scene& scene, const PixelHistory& history,
+                                  DepthFormat format) {
   std::vector<DepthFight> fights;
   for (const PixelEvent& event : history.events) {
-    if (!is_fragment(event) || !event.stored_by || !are_adjacent(event.code, event.stored))
-      continue;
+    if (!is_fragment(event) || !event.stored_by) continue;
+    if (!are_doubtful(format, event.code, event.stored)) continue;
     const PixelEvent& by = history.events[*event.stored_by];
     const std::uint32_t first = by.source.number, second = event.source.number;
     const bool triangles = by.source.is_triangle && event.source.is_triangle;
@@ -191,7 +192,7 @@ Answer PixelCommand::answer(const Scene& scene, const View& view) const {
   json["depth_fights"] = Json::array();
   std::string text = fmt::format("pixel ({}, {}) of {}\n{}\n{}", at_.x, at_.y, question_.title(),
                                  text_of(scene, seen), history_text(scene, history, all_));
-  for (const DepthFight& fight : fights_of(scene, history)) {
+  for (const DepthFight& fight : fights_of(scene, history, settings.depth)) {
     json["depth_fights"].push_back(to_json(fight));
     text += wrapped("", fight_text(scene, view, settings.depth, fight));
   }

@@ -37,7 +37,7 @@ std::string fight_text(const Scene& scene, const View& view, DepthFormat format,
   const DepthRemedy remedy =
       remedy_of(view, format, double(fight.first_distance), double(fight.second_distance));
   return fmt::format(
-      "z-fighting: {} and {} have the same or adjacent depth codes in {}({}, {}), so "
+      "z-fighting: {} and {} have the same or nearly the same depth codes in {}({}, {}), so "
       "rounding decides which is seen. Their distances there are {:.9g} and {:.9g}, and one code "
       "of "
       "{} stands for {:.2g}. Remedy: {}.",

@@ -72,22 +72,26 @@ double step_at(const View& view, DepthFormat format, double d, double near) {
   return reversed ? 0x1p-23 * d * range : code * d * d * range / near;
 }
 
+double doubtful_at(const View& view, DepthFormat format, double d, double near) {
+  return step_at(view, format, d, near) * doubtful_codes(format);
+}
+
 }  // namespace
 
 DepthRemedy remedy_of(const View& view, DepthFormat format, double distance, double other) {
   const double d = std::max(distance, other), apart = std::abs(distance - other);
   DepthRemedy remedy;
   remedy.step = step_at(view, format, d, view.near);
-  remedy.offset = 2 * remedy.step;
+  remedy.offset = 2 * doubtful_at(view, format, d, view.near);
   // Positions are floats, so distances that differ by less than this are those of one plane.
   if (!(apart > 0x1p-21 * d)) return remedy;
   for (const DepthFormat finer :
        {DepthFormat::kUnorm24, DepthFormat::kFloat32, DepthFormat::kFloat32Reversed}) {
     if (remedy.format || finer == format) continue;
-    if (step_at(view, finer, d, view.near) <= apart / 2) remedy.format = finer;
+    if (doubtful_at(view, finer, d, view.near) <= apart / 2) remedy.format = finer;
   }
-  const double needed = view.near * 2 * remedy.step / apart;
-  const bool enough = step_at(view, format, d, needed) <= 0.51 * apart;
+  const double needed = view.near * remedy.offset / apart;
+  const bool enough = doubtful_at(view, format, d, needed) <= 0.51 * apart;
   if (view.perspective && enough && needed < std::min(distance, other) / 2) remedy.near = needed;
   return remedy;
 }
@@ -96,8 +100,9 @@ bool have_common_corner(const Scene& scene, std::uint32_t number, std::uint32_t 
   return WorldCorners(scene).have_common_corner(number, other);
 }
 
-DepthFights::DepthFights(const View& view)
+DepthFights::DepthFights(const View& view, DepthFormat format)
     : view_(view),
+      format_(format),
       width_(int(view.viewport.width())),
       nearest_(std::size_t(width_) * std::size_t(view.viewport.height())) {}
 
@@ -105,7 +110,7 @@ void DepthFights::compared(const FragmentSource& source, const Fragment& fragmen
                            std::uint32_t code, std::uint32_t stored, bool&) {
   const Nearest& behind = nearest_at(fragment);
   if (!source.is_triangle || behind.number == kNone || behind.number == source.number ||
-      !are_adjacent(code, stored)) {
+      !are_doubtful(format_, code, stored)) {
     return;
   }
   DepthFight& fight = fights_[{behind.number, source.number}];
@@ -139,7 +144,7 @@ std::vector<DepthFight> DepthFights::fights(const Scene& scene) const {
 
 std::vector<DepthFight> depth_fights(const Scene& scene, const View& view,
                                      const RenderSettings& settings) {
-  DepthFights watcher(view);
+  DepthFights watcher(view, settings.depth);
   render_staged(scene, view, with_one_sample(settings), &watcher);
   return watcher.fights(scene);
 }

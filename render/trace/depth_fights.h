@@ -1,5 +1,5 @@
-// Finds z-fighting: pixels in which two surfaces have the same or adjacent depth codes, so that
-// rounding decides which of them is seen.
+// Finds z-fighting: pixels in which two surfaces have the same or nearly the same depth codes, so
+// that rounding decides which of them is seen.
 #pragma once
 
 #include <array>
@@ -11,14 +11,22 @@
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/pipeline/view.h>
+#include <glassbox/raster/depth.h>
 #include <glassbox/render/engine/observer.h>
 #include <glassbox/render/engine/settings.h>
 
 namespace glassbox {
 
-// Two depth codes that the depth test cannot be trusted to order.
-inline bool are_adjacent(std::uint32_t code, std::uint32_t other) {
-  return code > other ? code - other <= 1 : other - code <= 1;
+// By how many codes rounding can exchange two depths. A depth has an error of about 8 u from
+// interpolation and as much from its corners (u is the unit roundoff of float, 2^-24, and about one
+// code of a float or of 24 bits); a code of 16 bits is coarser than these errors.
+inline std::uint32_t doubtful_codes(DepthFormat format) {
+  return format == DepthFormat::kUnorm16 ? 1 : 16;
+}
+
+// Whether the depth test cannot be trusted to order two depths.
+inline bool are_doubtful(DepthFormat format, std::uint32_t code, std::uint32_t other) {
+  return (code > other ? code - other : other - code) <= doubtful_codes(format);
 }
 
 // Two triangles that fight, and one pixel in which they do.
@@ -32,8 +40,8 @@ struct DepthFight {
 // What would separate two surfaces at these distances along the gaze.
 struct DepthRemedy {
   double step = 0;  // the distance there that one code of the format stands for, world units
-  // A format whose step is at most half of the distance between the surfaces; nothing if no format
-  // is fine enough, or if the picture has the finest one.
+  // A format whose doubtful codes are at most half of the distance between the surfaces; nothing if
+  // no format is fine enough, or if the picture has the finest one.
   std::optional<DepthFormat> format;
   // A near plane with which the present format is fine enough; nothing if there is none in front of
   // both surfaces.
@@ -52,7 +60,7 @@ inline constexpr std::uint64_t kFewestFightingPixels = 4;
 // Watches a run. Memory: 8 bytes for each pixel.
 class DepthFights : public Observer {
 public:
-  explicit DepthFights(const View& view);
+  DepthFights(const View& view, DepthFormat format);
 
   void compared(const FragmentSource& source, const Fragment& fragment, std::uint32_t code,
                 std::uint32_t stored, bool& in_front) override;
@@ -74,6 +82,7 @@ private:
   }
 
   const View& view_;
+  const DepthFormat format_;
   const int width_;
   std::vector<Nearest> nearest_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, DepthFight> fights_;

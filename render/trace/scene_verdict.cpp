@@ -286,7 +286,7 @@ bool SceneVerdict::all_lost() const {
 
 SceneVerdict scene_verdict(const Scene& scene, const View& view, const RenderSettings& settings) {
   ResultCounter counter(view, settings, std::nullopt);
-  DepthFights fights(view);
+  DepthFights fights(view, settings.depth);
   render_staged(scene, view, with_one_sample(settings), {&counter, &fights});
   counter.finish();
   SceneVerdict found;

@@ -185,7 +185,7 @@ void judge_fragments(const Scene& scene, const View& view, const RenderSettings&
                      TriangleVerdict& verdict) {
   const std::uint32_t number = verdict.triangle.number;
   ResultCounter counter(view, settings, number);
-  DepthFights fights(view);
+  DepthFights fights(view, settings.depth);
   render_staged(scene, view, with_one_sample(settings), {&counter, &fights});
   counter.finish();
   verdict.fights = fights.fights(scene);
