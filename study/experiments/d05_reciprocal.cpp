@@ -205,11 +205,12 @@ Experiment d05_reciprocal() {
               "coordinate (in a texture of 4096 texels, 2^-11.7 is 1.2 texels)",
           .reference = "double",
           .theory =
-              "2^-12 + 2^-14 for 1/w from a table of 2^11 entries of 13 bits, 2^-12 + 2^-13.5 for "
-              "1/sqrt(w) from one of 2 x 2^10; for the processor's own instruction, which is "
-              "timed, the bound that its maker promises (2^-14 with AVX-512, 1.5 * 2^-12 on older "
-              "x86); a Newton step squares the error (3/2 of the square for the root) and adds "
-              "rounding errors of u = 2^-24 each; 0.0344 for the constant 0x5f3759df (Lomont 2003)",
+              "The error is at most 2^-12 + 2^-14 for 1/w from a table of 2^11 entries of 13 bits, "
+              "and 2^-12 + 2^-13.5 for 1/sqrt(w) from one of 2 x 2^10 entries. For the processor's "
+              "own instruction, which is timed, it is the bound that its maker promises (2^-14 "
+              "with AVX-512, 1.5 * 2^-12 on older x86). A Newton step squares the error (3/2 of "
+              "the square for the root) and adds rounding errors of u = 2^-24 each. The constant "
+              "0x5f3759df has the error 0.0344 (Lomont 2003)",
           .item = "reciprocal",
           .configurations = configurations};
 }

@@ -109,7 +109,9 @@ Sweep s7_nesting() {
           .question = "How many nodes may be between a mesh and the world before it drifts away?",
           .axis = "nodes, each with a rotation, a scale and a translation",
           .error = "largest error of an entry of world_from_object (entries are about 1)",
-          .reference = "the same products in 64 bits of mantissa, 2^-11 of double's roundings",
+          .reference =
+              "the same products with 64 bits of mantissa, whose rounding errors are 2^-11 of "
+              "those of double",
           .bound =
               "the sum of the products' rounding errors in the Frobenius norm (Higham 3.5), which "
               "grows linearly with the depth",
