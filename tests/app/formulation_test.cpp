@@ -171,10 +171,11 @@ TEST_CASE("step says of a triangle whether it is culled before clipping, and by 
   for (int i = 0; i < 12; ++i) {
     const std::string out = here.run(start + std::to_string(i)).out;
     CHECK(contains(out, "culling in object space, before clipping"));
-    removed += contains(unwrapped(out), "it is removed");
+    removed += contains(unwrapped(out), "the triangle is removed");
     kept += contains(unwrapped(out), "so the sign of the snapped area decides");
     // A triangle that is removed is one that is culled on the screen.
-    CHECK(contains(unwrapped(out), "it is removed") == contains(unwrapped(out), "piece is culled"));
+    CHECK(contains(unwrapped(out), "the triangle is removed") ==
+          contains(unwrapped(out), "piece is culled"));
   }
   CHECK(removed == 6);
   CHECK(kept == 6);

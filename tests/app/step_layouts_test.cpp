@@ -204,7 +204,7 @@ TEST_CASE(
       {"step --point 1,2,3 --view good.txt --dialect opengles", "opengl|d3d"},
       {"step --point 1,2,3 --view good.txt --order row", "rows|columns"},
       {"step --point 1,2,3 --view good.txt --world up", "right|left"},
-      {"step --point 1,2,3 --view good.txt --viewport 0,0,0,5", "positive width"},
+      {"step --point 1,2,3 --view good.txt --viewport 0,0,0,5", "width above 0"},
       {"step --point 1,2,3 --view good.txt --size 0x5", "--size"},
       {"step --point 1,2,3 --view good.txt --size 4x5 --viewport 0,0,4,5", "xclu"},
       {"step --point 1,2,3 --view good.txt --expect 1,2 --expect 3,4", "more expected"},
