@@ -105,8 +105,10 @@ Outline random_walk(Random& random) {
 // A simple outline with a second one walked from one of its corners: as a hole, as an island, or
 // both; with spikes, and with corners twice.
 Outline random_joined(Random& random) {
-  Outline p = random_simple(random, std::size_t(random.integer(3, 8)), 6);
-  const Outline q = random_simple(random, std::size_t(random.integer(3, 6)), 6);
+  const auto outer_count = std::size_t(random.integer(3, 8));
+  Outline p = random_simple(random, outer_count, 6);
+  const auto inner_count = std::size_t(random.integer(3, 6));
+  const Outline q = random_simple(random, inner_count, 6);
   if (p.empty() || q.empty()) return {};
   const auto at = std::size_t(random.integer(0, std::int64_t(p.size()) - 1));
   Outline loop;
