@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/why/matrix_suspicions.h"
 #include "app/why/verdict_text.h"
 #include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
@@ -37,7 +38,9 @@ private:
   // The pair of triangles that fights most, and how many others there are.
   std::string fights_text(const Scene& scene, const View& view,
                           const std::vector<DepthFight>& fights, const char* label) const;
-  std::string scene_text(const Scene& scene, const View& view, const SceneVerdict& found) const;
+  // `suspicions` is the text about the user's own matrices, or empty.
+  std::string scene_text(const Scene& scene, const View& view, const SceneVerdict& found,
+                         const std::string& suspicions) const;
   // The command line "glassbox SUBCOMMAND SCENE ... OPTION VALUE", with the options of this
   // picture.
   std::string command(const char* subcommand, const std::string& option,
@@ -88,7 +91,8 @@ std::optional<std::uint32_t> telling_triangle(const SceneVerdict& found) {
 
 // What keeps the scene out of the picture: the first cause with its mend, and a line for each of
 // the others. Empty if the scene is seen.
-std::string causes_text(const Scene& scene, const View& view, const SceneVerdict& found) {
+std::string causes_text(const Scene& scene, const View& view, const SceneVerdict& found,
+                        bool own_matrices) {
   std::string text;
   for (const SceneCause& cause : found.causes) {
     const bool first = text.empty();
@@ -98,7 +102,11 @@ std::string causes_text(const Scene& scene, const View& view, const SceneVerdict
             ? ""
             : fmt::format("{} of {}: ", cause.triangles, counted(found.triangles, "triangle"));
     text += wrapped(first ? "  CAUSE  " : "  also   ", share + words.why);
-    if (first) text += wrapped("      -> ", words.mend);
+    const bool of_camera = own_matrices && words.mend.find("--") != std::string::npos;
+    if (first) {
+      text += wrapped("      -> ",
+                      (of_camera ? "for a camera in place of the matrices: " : "") + words.mend);
+    }
   }
   return text;
 }
@@ -152,11 +160,11 @@ std::string WhyCommand::fights_text(const Scene& scene, const View& view,
   return wrapped(label, text);
 }
 
-std::string WhyCommand::scene_text(const Scene& scene, const View& view,
-                                   const SceneVerdict& found) const {
+std::string WhyCommand::scene_text(const Scene& scene, const View& view, const SceneVerdict& found,
+                                   const std::string& suspicions) const {
   std::string text =
       fmt::format("{}: {}\n", question_.title(), counted(found.triangles, "triangle")) +
-      causes_text(scene, view, found);
+      suspicions + causes_text(scene, view, found, question_.picture().matrices.replace_camera());
   if (found.triangles == 0) {
     if (!found.causes.empty()) return text;
     return text + "  This scene has no triangles; glassbox pixel shows lines and points, too.\n";
@@ -230,7 +238,12 @@ Result<Answer> WhyCommand::about_triangle(const Scene& scene, const View& view,
 // If nothing is visible, explains one triangle as an example.
 Result<Answer> WhyCommand::about_scene(const Scene& scene, const View& view) const {
   const SceneVerdict found = scene_verdict(scene, view, question_.picture().settings);
-  Answer answer{to_json(found), scene_text(scene, view, found), found.shown_pixels > 0};
+  // Matrices are suspected only if little is seen.
+  const MatrixSuspicions suspected =
+      found.is_little_seen() ? suspect_matrices(scene, question_.picture()) : MatrixSuspicions{};
+  Answer answer{to_json(found), scene_text(scene, view, found, suspicions_text(suspected)),
+                found.shown_pixels > 0};
+  if (suspected.any()) answer.json["matrices"] = suspicions_json(suspected);
   answer.json["surfaces"] = surface_findings(scene, eye_of(view, found));
   for (std::size_t i = 0; i < found.causes.size(); ++i) {
     const CauseText text = explain(scene, view, found, found.causes[i]);

@@ -145,6 +145,31 @@ TEST_CASE("what was chosen for the matrices is said: the dialect, a stretched pi
   CHECK_FALSE(contains(front.err, "the matrices mirror the scene"));
 }
 
+TEST_CASE("why names the likeliest mistake of the matrices where nothing is seen") {
+  const WorkingDirectory here;
+  write_matrices(here);
+  here.write("transposed.txt", plain_rows(book::transposed(kCubeView)));
+  here.write("pose.txt", plain_rows(book::rigid_inverse(kCubeView)));
+  here.write("left.txt",
+             plain_rows(book::perspective_d3d_left(book::radians(45), 320.0 / 180, 0.5, 50)));
+  const std::pair<const char*, const char*> mistakes[] = {
+      {"--view transposed.txt --proj proj.txt", "transpose-view"},
+      {"--view pose.txt --proj proj.txt", "invert-view"},
+      {"--view view.txt --proj left.txt", "eye-hand"},
+  };
+  for (const auto& [words, id] : mistakes) {
+    CAPTURE(words);
+    const Outcome outcome = run(here, "why cube --size 320x180 --json - " + std::string(words));
+    const Json json = Json::parse(outcome.out);
+    REQUIRE(json.contains("matrices"));
+    CHECK(json["matrices"]["visible"] == 0);
+    CHECK(json["matrices"]["alternatives"][0]["id"] == id);
+    CHECK(contains(run(here, "why cube --size 320x180 " + std::string(words)).out, "LIKELY"));
+  }
+  const Outcome good = run(here, "why cube --view view.txt --proj proj.txt --size 320x180");
+  CHECK_FALSE(contains(good.out, "LIKELY"));
+}
+
 TEST_CASE("points come from tables and from a scene's vertices") {
   const WorkingDirectory here;
   write_matrices(here);
