@@ -13,6 +13,7 @@
 #include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/base/rounding.h>
+#include <glassbox/base/utf8.h>
 
 namespace glassbox {
 
@@ -34,15 +35,17 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-// Splits at commas, semicolons or tabs if the line has any, and else at blanks.
+// Splits at semicolons, tabs, commas or blanks: at the first of these that the line has.
 Cells cells_of(std::string_view line) {
-  const bool marks = line.find_first_of(",;\t") != std::string_view::npos;
-  const std::string_view separators = marks ? ",;\t" : " ";
+  char separator = ' ';
+  for (const char mark : {',', '\t', ';'}) {
+    if (line.find(mark) != std::string_view::npos) separator = mark;
+  }
   Cells cells;
   while (!line.empty()) {
-    const std::size_t end = std::min(line.find_first_of(separators), line.size());
+    const std::size_t end = std::min(line.find(separator), line.size());
     const std::string_view cell = trimmed(line.substr(0, end));
-    if (marks || !cell.empty()) cells.push_back(cell);
+    if (separator != ' ' || !cell.empty()) cells.push_back(cell);
     line.remove_prefix(std::min(line.size(), end + 1));
   }
   return cells;
@@ -131,7 +134,6 @@ public:
 
   Result<void> read_line(std::string_view line) {
     ++line_;
-    if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
     line = trimmed(line);
     if (line.empty() || line.starts_with('#') || line.starts_with("//")) return {};
     Cells cells = cells_of(line);
@@ -204,7 +206,9 @@ private:
       const std::optional<Number> number = number_of(cells[column]);
       if (!number) {
         return refuse(in_quotes(printable(std::string(cells[column]), 30)) + " is not a number",
-                      "give a number for each coordinate");
+                      cells[column].find(',') != std::string_view::npos
+                          ? "write a point before decimals"
+                          : "give a number for each coordinate");
       }
       if (!(std::abs(number->value) <= double(std::numeric_limits<float>::max()))) {
         return refuse("a coordinate is not finite, or too large for a float",
@@ -233,6 +237,9 @@ private:
 
 Result<VertexTable> parse_vertex_table(std::string_view text, const std::string& name,
                                        VertexColumns wanted) {
+  std::string converted;
+  if (const auto order = utf16_byte_order(text)) text = converted = utf8_of_utf16(text, *order);
+  text = without_byte_order_mark(text);
   TableReader reader(name, wanted);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());

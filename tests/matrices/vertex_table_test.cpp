@@ -46,6 +46,12 @@ TEST_CASE("a table of vertices is read in every layout") {
   }
 }
 
+TEST_CASE("a table that a Windows shell wrote in UTF-16 is read") {
+  std::string text = "\xff\xfe";
+  for (const char c : std::string("1,2,3\r\n4,5,6\r\n")) text += {c, '\0'};
+  CHECK(read(text).vertices[1].position == glm::dvec4(4, 5, 6, 1));
+}
+
 TEST_CASE("clip positions are the shader's position output, with w") {
   const std::string text =
       "VTX, IDX, v_color.x, v_color.y, v_color.z, v_color.w, gl_Position.x, gl_Position.y, "
@@ -61,9 +67,9 @@ TEST_CASE("a table that cannot be read says in which line") {
   CHECK(error("").find("there is no row of numbers") != std::string::npos);
   CHECK(error("1 2 3\n1 2 x\n").find("line 2: 'x' is not a number") != std::string::npos);
   CHECK(error("1,2,3\n1,2\n").find("line 2: there is no column 3") != std::string::npos);
-  CHECK(error("1 2 3\n1 2 nan\n").find("line 2: a coordinate is not a finite") !=
-        std::string::npos);
-  CHECK(error("1 2 1e39\n").find("line 1: a coordinate is not a finite") != std::string::npos);
+  CHECK(error("1 2 3\n1 2 nan\n").find("line 2: a coordinate is not finite") != std::string::npos);
+  CHECK(error("1 2 1e39\n").find("line 1: a coordinate is not finite") != std::string::npos);
+  CHECK(error("x;y;z\n0,5;1,25;-2\n").find("write a point before decimals") != std::string::npos);
   CHECK(error("1 2\n").find("a position has three numbers") != std::string::npos);
   CHECK(error("1 2 3 4 5\n").find("a position has three numbers") != std::string::npos);
   CHECK(error("a,b,c\n1,2,3\n").find("no columns end in .x, .y and .z") != std::string::npos);
