@@ -45,6 +45,17 @@ bool exchange_factors(GivenMatrix& matrix, bool back) {
   return true;
 }
 
+// Divides by the scale of a matrix that scales all directions alike.
+bool remove_scale(GivenMatrix& matrix) {
+  const MatrixFacts facts = matrix_facts(matrix.m);
+  if (!matrix.given || facts.shape != MatrixShape::kSimilarity) return false;
+  for (int column = 0; column < 4; ++column) {
+    glm::dvec4& entries = matrix.m[column];
+    entries = glm::dvec4(glm::dvec3(entries) / facts.scale.x, entries.w);
+  }
+  return true;
+}
+
 bool transpose(GivenMatrix& matrix) {
   if (!matrix.given) return false;
   matrix = transposed(matrix);
@@ -189,6 +200,9 @@ const std::array kConventionMistakes{
     ConventionMistake{SetupChange::kInvertView, "invert-view", "invert the view matrix",
                       "the matrix is the camera's pose, world from eye; a view is its inverse",
                       [](MatrixSetup& s, Points) { return invert(s.view); }},
+    ConventionMistake{SetupChange::kViewScale, "view-scale", "remove the scale from the view",
+                      "normalise gaze, right and up; scales belong in the model matrix",
+                      [](MatrixSetup& s, Points) { return remove_scale(s.view); }},
     ConventionMistake{
         SetupChange::kViewFactors, "view-factors",
         "exchange the view's factors: rotation * translation, not the reverse",

@@ -22,6 +22,7 @@ enum class SetupChange {
   kEyeHand,      // negates the eye's z, between view and projection
   kTurnRound,    // negates the eye's x and z, in the view
   kInvertView,
+  kViewScale,         // removes one scale of all axes from the view
   kViewFactors,       // changes T R to R T, with a translation T and a rotation R
   kViewFactorsBack,   // changes R T to T R
   kViewOffsetSign,    // negates the eye's position

@@ -169,6 +169,12 @@ TEST_CASE("each planted slip is listed, and stands first where the matrices can 
                       book::perspective_d3d_left(s.fovy, s.aspect, s.near, s.far), "d3d");
        },
        0.95},
+      {"view scaled", SetupChange::kViewScale,
+       [](const BookScene& s) {
+         return setup(s.model(), book::product(book::scaling(0.01, 0.01, 0.01), s.view()),
+                      s.projection());
+       },
+       0.9},
       {"view not inverted", SetupChange::kInvertView,
        [](const BookScene& s) {
          return setup(s.model(), book::rigid_inverse(s.view()), s.projection());
