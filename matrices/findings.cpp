@@ -22,7 +22,7 @@ void alarm_last_row(const char* name, const glm::dmat4& m, const std::string& re
                     Findings& found) {
   found.alarm("singular", name,
               "its last row is 0 0 0 0: it is singular (its rank is " + std::to_string(rank_of(m)) +
-                  "), and w is 0 for every point",
+                  "), and it makes w 0 for every point",
               "fill in the last row: " + remedy);
 }
 

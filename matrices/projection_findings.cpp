@@ -324,9 +324,8 @@ void check_projection(const MatrixSetup& setup, Findings& found) {
   }
   if (is_projection_twice(given)) {
     return found.alarm("projection-twice", kProjection,
-                       "it is a projection multiplied with itself: with w = a z + b its depth row "
-                       "is a a + b, a b, "
-                       "a = " +
+                       "it is a projection multiplied with itself: its last row is (0, 0, a, b), "
+                       "and the row above it (0, 0, a a + b, a b), with a = " +
                            short_number(entry_at(given.m, 3, 2)) +
                            " and b = " + short_number(entry_at(given.m, 3, 3)),
                        "multiply the projection in once: projection * view * model");

@@ -54,7 +54,7 @@ std::string imprecision_text(const Walk& walk, const PointStep& step) {
   const double px = uncertainty_px(walk);
   if (px > kTooFarPx) {
     return fmt::format(
-        "the place in the window is known to +- {} px only{}", short_number(px, 2),
+        "the place in the window is known to +- {} px only{}", short_number(px, 3),
         is_certain(walk.chain) ? "" : ", so it is not certain whether the point is in the picture");
   }
   const auto depth = known_distance(walk, step);
@@ -69,7 +69,7 @@ std::string imprecision_remedy(const Walk& walk) {
   if (uncertainty_px(walk) <= kTooFarPx) {
     return "move the near plane away from the eye: the error is inversely proportional to it";
   }
-  if (walk.digits_uncertainty_px > rounding_px(walk)) {
+  if (rounding_px(walk) <= kTooFarPx) {
     return "print the matrices with more digits (%.9g prints a float without loss)";
   }
   const glm::dvec3 world = glm::abs(glm::dvec3(walk.chain.to_world.after));

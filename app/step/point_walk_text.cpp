@@ -263,7 +263,7 @@ std::string vertex_verdict_text(const PointStep::Walk& walk, const PointStep& st
       const Point<Screen>& p = chain.screen->screen.position;
       const double px = uncertainty_px(walk);
       return fmt::format("visible at ({:.2f}, {:.2f})", p.x, p.y) +
-             (px > kLastDigitPx ? fmt::format(" +- {} px", short_number(px, 2)) : "");
+             (px > kLastDigitPx ? fmt::format(" +- {} px", short_number(px, 3)) : "");
     }
     case VertexVerdict::kNotFinite:
       return "not finite";

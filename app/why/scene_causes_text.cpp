@@ -75,7 +75,9 @@ string direction_text(const Told& t) {
 }
 
 string point_words(const Point<World, double>& p) {
-  return fmt::format("{:.6g},{:.6g},{:.6g}", p.x + 0.0, p.y + 0.0, p.z + 0.0);
+  const double rounding = 1e-9 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const auto word = [&](double x) { return std::abs(x) <= rounding ? 0.0 : x; };
+  return fmt::format("{:.6g},{:.6g},{:.6g}", word(p.x), word(p.y), word(p.z));
 }
 
 double eye_from_middle(const SceneExtent& e) {

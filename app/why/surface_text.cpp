@@ -60,9 +60,10 @@ void add_normals(const std::string& mesh, const NormalReport& report,
 }
 
 void add_winding(const Scene& scene, const std::string& mesh, const Uses& uses, double volume,
-                 std::vector<std::string>& found) {
-  const std::string inside_out = fmt::format(
-      "{}: it is closed, and its fronts are inside (its signed volume is {:.4g})", mesh, volume);
+                 bool normals_point_outwards, std::vector<std::string>& found) {
+  const std::string inside_out =
+      fmt::format("{}: it is closed, and its fronts are inside (its signed volume is {:.4g}{})",
+                  mesh, volume, normals_point_outwards ? ", but its normals point outwards" : "");
   if (uses.mirrored == 0) {
     found.push_back(inside_out +
                     ": reverse the winding of its faces, unless it is a room that is seen from "
@@ -98,11 +99,13 @@ std::vector<std::string> surface_findings(const Scene& scene,
     const Uses& uses = all[i];
     if (uses.count == 0 || scene.meshes[i].faces.empty()) continue;
     const std::string mesh = mesh_text(scene, uses.first);
-    add_normals(mesh, normal_report(scene.meshes[i]), found);
+    const NormalReport normals = normal_report(scene.meshes[i]);
     const double volume = signed_volume(scene.meshes[i]).value_or(0);
     const bool is_room = eye && is_around(scene, scene.instances[uses.first], *eye);
-    if (volume < 0 && !is_room) {
-      add_winding(scene, mesh, uses, volume, found);
+    const bool inside_out = volume < 0 && !is_room;
+    if (!inside_out || !normals.inverted()) add_normals(mesh, normals, found);
+    if (inside_out) {
+      add_winding(scene, mesh, uses, volume, normals.inverted(), found);
     } else if (uses.mirrored > 0) {
       add_mirror(scene, mesh, uses, found);
     }

@@ -245,7 +245,8 @@ TEST_CASE("info and why find surfaces that are inside out, mirrored, or have wro
   REQUIRE(write_glb(negated, here.file("negated.glb")));
   REQUIRE(write_glb(scaled, here.file("scaled.glb")));
   const std::pair<const char*, const char*> cases[] = {
-      {"inside-out.glb", "its fronts are inside (its signed volume is -8): reverse the winding"},
+      {"inside-out.glb",
+       "its fronts are inside (its signed volume is -8, but its normals point outwards)"},
       {"mirrored.glb", "mirrors it (determinant -1)"},
       {"both.glb", "the winding was turned round in the mesh"},
       {"negated.glb", "its normals point to the backs of its faces"},
