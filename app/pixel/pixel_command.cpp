@@ -1,5 +1,6 @@
 #include "app/pixel/pixel_command.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -105,19 +106,20 @@ Json json_of(const Scene& scene, const SeenPixel& seen) {
   return json;
 }
 
-// The pairs of fragments in this pixel that fight: the depth test compared one with the other.
-std::vector<DepthFight> fights_of(const Scene& scene, const PixelHistory& history,
-                                  DepthFormat format) {
-  std::vector<DepthFight> fights;
-  for (const PixelEvent& event : history.events) {
-    if (!is_fragment(event) || !event.stored_by) continue;
-    if (!are_doubtful(format, event.code, event.stored)) continue;
-    const PixelEvent& by = history.events[*event.stored_by];
-    const std::uint32_t first = by.source.number, second = event.source.number;
-    const bool triangles = by.source.is_triangle && event.source.is_triangle;
-    if (!triangles || first == second || have_common_corner(scene, first, second)) continue;
-    fights.push_back({first, second, 1, history.x, history.y, by.distance, event.distance});
-  }
+// Whether the triangle has a fragment in the pixel.
+bool is_in(const PixelHistory& history, std::uint32_t triangle) {
+  return std::ranges::any_of(history.events, [&](const PixelEvent& event) {
+    return is_fragment(event) && event.source.is_triangle && event.source.number == triangle;
+  });
+}
+
+// The pairs of triangles that fight in the picture, and of which both are in this pixel.
+std::vector<DepthFight> fights_in(const Scene& scene, const View& view,
+                                  const RenderSettings& settings, const PixelHistory& history) {
+  std::vector<DepthFight> fights = depth_fights(scene, view, settings);
+  std::erase_if(fights, [&](const DepthFight& fight) {
+    return !is_in(history, fight.first) || !is_in(history, fight.second);
+  });
   return fights;
 }
 
@@ -192,7 +194,7 @@ Answer PixelCommand::answer(const Scene& scene, const View& view) const {
   json["depth_fights"] = Json::array();
   std::string text = fmt::format("pixel ({}, {}) of {}\n{}\n{}", at_.x, at_.y, question_.title(),
                                  text_of(scene, seen), history_text(scene, history, all_));
-  for (const DepthFight& fight : fights_of(scene, history, settings.depth)) {
+  for (const DepthFight& fight : fights_in(scene, view, settings, history)) {
     json["depth_fights"].push_back(to_json(fight));
     text += wrapped("", fight_text(scene, view, settings.depth, fight));
   }

@@ -34,8 +34,7 @@ std::string remedy_text(const DepthRemedy& remedy) {
 
 std::string fight_text(const Scene& scene, const View& view, DepthFormat format,
                        const DepthFight& fight) {
-  const DepthRemedy remedy =
-      remedy_of(view, format, double(fight.first_distance), double(fight.second_distance));
+  const DepthRemedy remedy = remedy_of(view, format, fight);
   return fmt::format(
       "z-fighting: {} and {} have the same or nearly the same depth codes in {}({}, {}), so "
       "rounding decides which is seen. Their distances there are {:.9g} and {:.9g}, and one code "

@@ -5,6 +5,7 @@
 
 #include <glassbox/mesh/triangulate.h>
 #include <glassbox/render/engine/distance.h>
+#include <glassbox/render/staged/primitives.h>
 #include <glassbox/render/staged/staged.h>
 #include <glassbox/render/trace/numbering.h>
 
@@ -59,17 +60,25 @@ private:
 
 // ---- how fine depth is ----
 
-// The distance that one code stands for at distance d, if the near plane were at `near`. With the
-// planes at n and f, depth is f/(f - n) (1 - n/d), so it changes by f n/((f - n) d^2) per unit of
-// distance; in a parallel view by 1/(f - n). A code of a float is at most 2^-24 of depth 1; with
-// reversed depth, n/d, it is at most 2^-23 of the depth itself.
-double step_at(const View& view, DepthFormat format, double d, double near) {
-  const bool reversed = format == DepthFormat::kFloat32Reversed;
-  const bool is_float = reversed || format == DepthFormat::kFloat32;
-  const double code = is_float ? 0x1p-24 : 1 / unorm_depth_steps(format);
+// The distance that a small change of depth stands for at distance d, if the near plane were at
+// `near`. With the planes at n and f, depth is f/(f - n) (1 - n/d), so it changes by f n/((f - n)
+// d^2) per unit of distance; in a parallel view by 1/(f - n).
+double distance_per_depth(const View& view, double d, double near) {
+  if (!view.perspective) return view.far - near;
   const double range = std::isinf(view.far) ? 1 : (view.far - near) / view.far;
-  if (!view.perspective) return code * (view.far - near);
-  return reversed ? 0x1p-23 * d * range : code * d * d * range / near;
+  return d * d * range / near;
+}
+
+// The distance that one code stands for. A code of a float is at most 2^-24 of depth 1; with
+// reversed depth, which is about n/d, it is at most 2^-23 of the depth itself.
+double step_at(const View& view, DepthFormat format, double d, double near) {
+  double code = 0x1p-24;
+  if (format == DepthFormat::kFloat32Reversed) {
+    code = 0x1p-23 * (view.perspective ? near / d : 1);
+  } else if (format != DepthFormat::kFloat32) {
+    code = 1 / unorm_depth_steps(format);
+  }
+  return code * distance_per_depth(view, d, near);
 }
 
 double doubtful_at(const View& view, DepthFormat format, double d, double near) {
@@ -78,13 +87,15 @@ double doubtful_at(const View& view, DepthFormat format, double d, double near) 
 
 }  // namespace
 
-DepthRemedy remedy_of(const View& view, DepthFormat format, double distance, double other) {
-  const double d = std::max(distance, other), apart = std::abs(distance - other);
+DepthRemedy remedy_of(const View& view, DepthFormat format, const DepthFight& fight) {
+  const double first = double(fight.first_distance), second = double(fight.second_distance);
+  const double d = std::max(first, second), apart = std::abs(first - second);
+  const double snapping = fight.snapping * distance_per_depth(view, d, view.near);
   DepthRemedy remedy;
   remedy.step = step_at(view, format, d, view.near);
-  remedy.offset = 2 * doubtful_at(view, format, d, view.near);
-  // Positions are floats, so distances that differ by less than this are those of one plane.
-  if (!(apart > 0x1p-21 * d)) return remedy;
+  remedy.offset = 2 * (doubtful_at(view, format, d, view.near) + snapping);
+  // Positions are floats, so distances that differ by less than 2^-21 are those of one plane.
+  if (!(apart > 0x1p-21 * d + snapping)) return remedy;
   for (const DepthFormat finer :
        {DepthFormat::kUnorm24, DepthFormat::kFloat32, DepthFormat::kFloat32Reversed}) {
     if (remedy.format || finer == format) continue;
@@ -92,12 +103,8 @@ DepthRemedy remedy_of(const View& view, DepthFormat format, double distance, dou
   }
   const double needed = view.near * remedy.offset / apart;
   const bool enough = doubtful_at(view, format, d, needed) <= 0.51 * apart;
-  if (view.perspective && enough && needed < std::min(distance, other) / 2) remedy.near = needed;
+  if (view.perspective && enough && needed < std::min(first, second) / 2) remedy.near = needed;
   return remedy;
-}
-
-bool have_common_corner(const Scene& scene, std::uint32_t number, std::uint32_t other) {
-  return WorldCorners(scene).have_common_corner(number, other);
 }
 
 DepthFights::DepthFights(const View& view, DepthFormat format)
@@ -106,13 +113,26 @@ DepthFights::DepthFights(const View& view, DepthFormat format)
       width_(int(view.viewport.width())),
       nearest_(std::size_t(width_) * std::size_t(view.viewport.height())) {}
 
+// The depth is the sum of depth[k] E_k / double_area, and E_k changes by a per subpixel along x and
+// by b along y.
+void DepthFights::piece_ready(const ReadyTriangle& triangle) {
+  constexpr double kHalfASubpixel = 0.5;
+  const TriangleSetup& setup = triangle.setup;
+  double along_x = 0, along_y = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    along_x += double(setup.depth[k]) * double(setup.edges[k].a);
+    along_y += double(setup.depth[k]) * double(setup.edges[k].b);
+  }
+  snapping_ = kHalfASubpixel * (std::abs(along_x) + std::abs(along_y)) / double(setup.double_area);
+}
+
 void DepthFights::compared(const FragmentSource& source, const Fragment& fragment,
                            std::uint32_t code, std::uint32_t stored, bool&) {
   const Nearest& behind = nearest_at(fragment);
-  if (!source.is_triangle || behind.number == kNone || behind.number == source.number ||
-      !are_doubtful(format_, code, stored)) {
-    return;
-  }
+  if (!source.is_triangle || behind.number == kNone || behind.number == source.number) return;
+  const double snapping = snapping_ + behind.snapping;
+  const double apart = std::abs(double(fragment.depth) - double(behind.depth));
+  if (!are_doubtful(format_, code, stored) && apart > snapping) return;
   DepthFight& fight = fights_[{behind.number, source.number}];
   if (fight.pixels++ > 0) return;
   fight = {behind.number,
@@ -121,14 +141,16 @@ void DepthFights::compared(const FragmentSource& source, const Fragment& fragmen
            fragment.x,
            fragment.y,
            behind.distance,
-           distance_along_gaze(view_, fragment.depth, fragment.inverse_w)};
+           distance_along_gaze(view_, fragment.depth, fragment.inverse_w),
+           snapping};
 }
 
 void DepthFights::fragment_finished(const FragmentSource& source, const Fragment& fragment,
                                     FragmentResult result) {
   if (result != FragmentResult::kWritten) return;
   nearest_at(fragment) = {source.is_triangle ? source.number : kNone,
-                          distance_along_gaze(view_, fragment.depth, fragment.inverse_w)};
+                          distance_along_gaze(view_, fragment.depth, fragment.inverse_w),
+                          fragment.depth, snapping_};
 }
 
 std::vector<DepthFight> DepthFights::fights(const Scene& scene) const {

@@ -35,9 +35,10 @@ struct DepthFight {
   std::uint64_t pixels = 0;
   int x = 0, y = 0;
   float first_distance = 0, second_distance = 0;  // along the gaze there, world units
+  double snapping = 0;  // by how much snapping to subpixels can change the two depths there
 };
 
-// What would separate two surfaces at these distances along the gaze.
+// What would separate the two surfaces of a fight.
 struct DepthRemedy {
   double step = 0;  // the distance there that one code of the format stands for, world units
   // A format whose doubtful codes are at most half of the distance between the surfaces; nothing if
@@ -48,20 +49,20 @@ struct DepthRemedy {
   std::optional<double> near;
   double offset = 0;  // how far apart the surfaces have to be along the gaze, world units
 };
-DepthRemedy remedy_of(const View& view, DepthFormat format, double distance, double other);
-
-// Whether two triangles have a corner at the same place in the world.
-bool have_common_corner(const Scene& scene, std::uint32_t number, std::uint32_t other);
+DepthRemedy remedy_of(const View& view, DepthFormat format, const DepthFight& fight);
 
 // Pairs that fight in fewer pixels are left out of reports: where two surfaces cross each other,
 // some pixels of the crossing have equal depths.
 inline constexpr std::uint64_t kFewestFightingPixels = 4;
 
-// Watches a run. Memory: 8 bytes for each pixel.
+// Watches a run. Two depths are doubtful if their codes are, or if they differ by no more than
+// snapping can change them: it moves each corner of a triangle by up to half a subpixel along x and
+// along y, and keeps the corner's depth. Memory: 24 bytes for each pixel.
 class DepthFights : public Observer {
 public:
   DepthFights(const View& view, DepthFormat format);
 
+  void piece_ready(const ReadyTriangle& triangle) override;
   void compared(const FragmentSource& source, const Fragment& fragment, std::uint32_t code,
                 std::uint32_t stored, bool& in_front) override;
   void fragment_finished(const FragmentSource& source, const Fragment& fragment,
@@ -74,7 +75,8 @@ public:
 private:
   struct Nearest {
     std::uint32_t number = kNone;
-    float distance = 0;
+    float distance = 0, depth = 0;
+    double snapping = 0;
   };
 
   Nearest& nearest_at(const Fragment& fragment) {
@@ -84,6 +86,7 @@ private:
   const View& view_;
   const DepthFormat format_;
   const int width_;
+  double snapping_ = 0;  // of the current triangle: by how much it can change a depth
   std::vector<Nearest> nearest_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, DepthFight> fights_;
 };

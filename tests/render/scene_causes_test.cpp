@@ -2,6 +2,7 @@
 // have none.
 #include <glassbox/render/trace/scene_verdict.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include <glassbox/base/random.h>
 #include <glassbox/mesh/normals.h>
+#include <glassbox/mesh/triangulate.h>
 
 #include "app/why/verdict_text.h"
 #include "tests/render/scenes.h"
@@ -43,7 +45,7 @@ Vector<World, double> across(const Vector<World, double>& v, Random& random) {
   for (;;) {
     const Vector<World, double> a = cross(v, random_direction(random));
     const double length = std::sqrt(dot(a, a));
-    if (length > 0.2) return a * (1 / length);
+    if (length > 0.2 * std::sqrt(dot(v, v))) return a * (1 / length);
   }
 }
 
@@ -91,21 +93,26 @@ Vector<World, double> gaze_past(Stage& s, double degrees, Random& random) {
   return to_middle * turn.cos + side * (distance * turn.sin);
 }
 
-// Leaves only the faces that show their fronts to the eye, and winds them the other way round.
+// Leaves only the triangles that show their fronts to the eye, and winds them the other way round.
 void turn_the_visible_half_round(Stage& s) {
   const auto object_from_world = inverse_affine(s.world_from_object());
   REQUIRE(object_from_world);
   const Point<Object, double> eye = *object_from_world * s.eye;
   Mesh& mesh = s.scene.meshes[0];
-  std::vector<Face> kept;
-  for (const Face& face : mesh.faces) {
-    const Point<Object>& p = mesh.positions[mesh.corners[face.first].position];
-    const Point<Object, double> corner(double(p.x), double(p.y), double(p.z));
-    if (dot(newell_vector(mesh, face), eye - corner) <= 0) continue;
-    kept.push_back(face);
-    std::reverse(mesh.corners.begin() + face.first, mesh.corners.begin() + face.first + face.count);
+  std::vector<Corner> corners;
+  std::vector<Face> faces;
+  for (const Triangle& triangle : triangulate(mesh).triangles) {
+    std::array<Point<Object, double>, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point<Object>& at = mesh.positions[mesh.corners[triangle.corners[k]].position];
+      p[k] = {double(at.x), double(at.y), double(at.z)};
+    }
+    if (dot(three_point_normal(p[0], p[1], p[2]), eye - p[0]) <= 0) continue;
+    faces.push_back({std::uint32_t(corners.size()), 3});
+    for (const std::size_t k : {0u, 2u, 1u}) corners.push_back(mesh.corners[triangle.corners[k]]);
   }
-  mesh.faces = kept;
+  mesh.corners = corners;
+  mesh.faces = faces;
 }
 
 struct Planted {
@@ -142,7 +149,7 @@ const std::vector<Planted>& plants() {
       {Cause::kNotFinite,
        [](Stage& s, Random&) {
          const View view = view_of(s);
-         s.world_from_object() = s.world_from_object() * scale<Object>(1e39, 1e39, 1e39);
+         s.world_from_object() = s.world_from_object() * scale<Object>(1e45, 1e45, 1e45);
          for (Point<Object>& p : s.scene.meshes[0].positions) p = {p.x + 3, p.y + 3, p.z + 3};
          return view;
        }},
