@@ -53,7 +53,7 @@ DepthRemedy remedy_of(const View& view, DepthFormat format, const DepthFight& fi
 
 // Pairs that fight in fewer pixels are left out of reports: where two surfaces cross each other,
 // some pixels of the crossing have equal depths.
-inline constexpr std::uint64_t kFewestFightingPixels = 4;
+inline constexpr std::uint64_t kFewestFightingPixels = 8;
 
 // Watches a run. Two depths are doubtful if their codes are, or if they differ by no more than
 // snapping can change them: it moves each corner of a triangle by up to half a subpixel along x and

@@ -179,7 +179,7 @@ TEST_CASE("z-fighting is named with what to change, and the change ends it") {
   const std::string ladder = "depth-ladder --size 320x180 --depth ";
   const Json coarse = why_json(here, ladder + "d16");
   REQUIRE_FALSE(coarse["depth_fights"].empty());
-  CHECK(int(coarse["depth_fights"][0]["pixels"]) >= 4);
+  CHECK(int(coarse["depth_fights"][0]["pixels"]) >= 8);
   const std::string text = unwrapped(here.run("why " + ladder + "d16").out);
   CHECK(contains(text, "z-fighting: triangle"));
   CHECK(contains(text, "--depth d24"));
