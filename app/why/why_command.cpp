@@ -80,8 +80,8 @@ std::optional<Point<World, double>> eye_of(const View& view, const SceneVerdict&
   return view.perspective ? std::optional(found.extent.eye) : std::nullopt;
 }
 
-// The triangle that shows best why nothing is seen: one that the first cause takes, or else one that
-// ends as most do. Nothing if some triangle is seen.
+// The triangle that shows best why nothing is seen: one that the first cause takes, or else one
+// that ends as most do. Nothing if some triangle is seen.
 std::optional<std::uint32_t> telling_triangle(const SceneVerdict& found) {
   const std::optional<TriangleResult> loss = found.most_frequent_loss();
   if (!loss || !found.all_lost()) return std::nullopt;
