@@ -108,7 +108,7 @@ TEST_CASE("NaN is different from NaN unless asked otherwise") {
     CHECK(fuzzy.exit_code == 1);
     CHECK(contains(fuzzy.out, "an infinite difference is not within"));
     CHECK(!contains(fuzzy.out, "4294967295"));
-    CHECK(contains(diff(pfm, pfm, "--suggest-fuzzy").out, "fuzzy: none allows NaN"));
+    CHECK(contains(diff(pfm, pfm, "--suggest-fuzzy").out, "fuzzy: no --fuzzy allows NaN"));
 
     StoredImage number = reference;
     set_sample(number, 5, 6, 0, 1);

@@ -184,7 +184,7 @@ TEST_CASE("a scene of lines has no triangle to ask about, and says so") {
   const Outcome outcome = here.run("why line.obj --size 32x32");
   CHECK(outcome.exit_code == 0);
   CHECK(contains(outcome.out, "0 triangles\n"));
-  CHECK(contains(outcome.out, "glassbox pixel follows lines"));
+  CHECK(contains(outcome.out, "glassbox pixel shows lines"));
   CHECK(here.run("why line.obj --triangle 0").exit_code == 2);
 }
 
