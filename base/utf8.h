@@ -57,12 +57,15 @@ inline void append_utf8(std::string& text, char32_t character) {
 enum class ByteOrder { kLittleEndian, kBigEndian };
 
 // The byte order of text in UTF-16, which Windows programs write: it begins with the mark FF FE or
-// FE FF, or with an ASCII character, of which one byte is zero. None for any other text.
+// FE FF, or with a printable ASCII character, tab or line end, of which one byte is zero. None for
+// any other text.
 inline std::optional<ByteOrder> utf16_byte_order(std::string_view text) {
   if (text.size() < 2) return std::nullopt;
   const auto first = static_cast<unsigned char>(text[0]),
              second = static_cast<unsigned char>(text[1]);
-  const bool one_is_ascii = (first | second) != 0 && (first | second) < 0x80;
+  const unsigned one = first | second;
+  const bool one_is_ascii =
+      (one >= 0x20 && one < 0x7f) || one == '\t' || one == '\n' || one == '\r';
   if ((first == 0xff && second == 0xfe) || (second == 0 && one_is_ascii)) {
     return ByteOrder::kLittleEndian;
   }

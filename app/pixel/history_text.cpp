@@ -144,7 +144,8 @@ std::string last_line(const Scene& scene, const PixelHistory& history) {
 
 }  // namespace
 
-std::string history_text(const Scene& scene, const PixelHistory& history, bool all_misses) {
+std::string history_text(const Scene& scene, const PixelHistory& history, bool all_misses,
+                         const std::vector<std::string>& notes) {
   std::string text =
       row("", "triangle", "face of mesh, material", "fate", "distance", "depth", "pixel after");
   text += row("", "", "", "cleared", "", "ffffffff", bytes_text(history.cleared));
@@ -156,6 +157,7 @@ std::string history_text(const Scene& scene, const PixelHistory& history, bool a
   }
   if (!history.complete)
     text += "\nthe history is incomplete: all of it would take too much memory\n";
+  for (const std::string& note : notes) text += "\n" + wrapped("", note);
   return text + "\n" + last_line(scene, history);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <glassbox/mesh/scene.h>
 #include <glassbox/render/trace/history.h>
@@ -9,7 +10,8 @@
 namespace glassbox::app {
 
 // The table has one row per event. It lists the few triangles that miss the pixel's centre most
-// narrowly, or, if `all_misses`, all that miss it.
-std::string history_text(const Scene& scene, const PixelHistory& history, bool all_misses);
+// narrowly, or, if `all_misses`, all that miss it. The notes follow, and then what the pixel shows.
+std::string history_text(const Scene& scene, const PixelHistory& history, bool all_misses,
+                         const std::vector<std::string>& notes);
 
 }  // namespace glassbox::app

@@ -19,7 +19,6 @@
 #include "cli/report/exit_codes.h"
 #include "cli/report/number_json.h"
 #include "cli/report/shell_line.h"
-#include "cli/report/text_layout.h"
 
 #include <glassbox/compare/pixels/differences.h>
 #include <glassbox/images/recipe.h>
@@ -192,13 +191,13 @@ Answer PixelCommand::answer(const Scene& scene, const View& view) const {
   json.update(json_of(scene, seen));
   json["history"] = to_json(scene, history);
   json["depth_fights"] = Json::array();
-  std::string text = fmt::format("pixel ({}, {}) of {}\n{}\n{}", at_.x, at_.y, question_.title(),
-                                 text_of(scene, seen), history_text(scene, history, all_));
+  std::vector<std::string> notes;
   for (const DepthFight& fight : fights_in(scene, view, settings, history)) {
     json["depth_fights"].push_back(to_json(fight));
-    text += wrapped("", fight_text(scene, view, settings.depth, fight));
+    notes.push_back(fight_text(scene, view, settings.depth, fight));
   }
-  return {json, text};
+  return {json, fmt::format("pixel ({}, {}) of {}\n{}\n{}", at_.x, at_.y, question_.title(),
+                            text_of(scene, seen), history_text(scene, history, all_, notes))};
 }
 
 void add_pixel_command(CLI::App& app, int& exit_code) {

@@ -158,7 +158,7 @@ TEST_CASE("frames are numbered after the name, where the pattern says, or in a d
     CHECK(std::filesystem::exists(here.file(name)));
   }
   const Outcome fewer = here.run("render cube --size 8x8 --frames 1 --path p.json");
-  CHECK(contains(fewer.err, "cube-0002.png exists from a longer sequence"));
+  CHECK(contains(fewer.err, "cube-0002.png is there from an earlier, longer sequence"));
 }
 
 TEST_CASE("the first and the last frame are the first and the last keyframe; fov and up count") {

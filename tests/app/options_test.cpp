@@ -240,7 +240,7 @@ TEST_CASE("a scene whose faces all lack area says so, and names quads in Z order
                  "note: nothing is drawn, because all 3 faces of the scene have no area; 2 are "
                  "quads listed in Z order: exchange the last two corners"));
   CHECK(note("f 1 3 5\n").ends_with("because the only face of the scene has no area\n"));
-  CHECK(note("f 1 2 3\nf 1 3 5\n").empty());
+  CHECK_FALSE(contains(note("f 1 2 3\nf 1 3 5\n"), "nothing is drawn"));
 }
 
 TEST_CASE("a picture of backs only says how to see them") {

@@ -197,7 +197,7 @@ TEST_CASE("the last line has the picture's bytes, whatever the picture shows") {
         const Rgba8 c = whole.color.at(x, y);
         const std::string bytes = "(" + std::to_string(c.r) + ", " + std::to_string(c.g) + ", " +
                                   std::to_string(c.b) + ", " + std::to_string(c.a) + ")";
-        CHECK(last.find("the picture shows " + bytes + ": ") == 0);
+        CHECK(last.starts_with("the picture shows " + bytes));
         std::istringstream lines(outcome.out);
         for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
       }

@@ -180,7 +180,7 @@ TEST_CASE(
       {"0 <repeats 4000000000 times>", {"more than 64 numbers"}},
       {std::string(70000, ' '), {"longer than"}},
       {std::string("1 0 \0 0", 7), {"bad.txt"}},
-      {"\xff\xfe\x01", {"bad.txt", "line 1"}},
+      {"\xff\xfe\x01", {"bad.txt", "has 0 numbers"}},
   };
   for (const Case& one : cases) {
     here.write("bad.txt", one.text);

@@ -76,7 +76,7 @@ TEST_CASE("step refuses what it cannot step through, and says what to do") {
                                     {"step cube --pick 1280,0", "1280 x 720"},
                                     {"step cube --pick 1.5,0", "whole pixels"},
                                     {"step cube --triangle 1 --pick 3,3", "excludes"},
-                                    {"step cube --triangle 1 --point 0,0,0", "scene is given"},
+                                    {"step cube --triangle 1 --point 0,0,0", "a scene as well"},
                                     {"step nothing.glb --triangle 1", "nothing.glb"}}) {
     CAPTURE(words);
     const Outcome outcome = here.run(words);

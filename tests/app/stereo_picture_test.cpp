@@ -171,7 +171,7 @@ TEST_CASE("what makes no sense for two eyes is refused, with a remedy") {
   for (const Refusal& refusal : std::vector<Refusal>{
            {"--stereo pair --eye-separation -0.1", {"exchanges the eyes"}},
            {"--stereo pair --eye-separation nan", {"finite"}},
-           {"--stereo pair --eye-separation 1e9", {"wide"}},
+           {"--stereo pair --eye-separation 1e9", {"width"}},
            {"--stereo pair --eye-separation much", {"--eye-separation", "much"}},
            {"--stereo pair --window 0.001", {"near plane"}},
            {"--stereo pair --window -3", {"in front of the camera"}},

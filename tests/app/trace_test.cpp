@@ -213,7 +213,7 @@ TEST_CASE("trace refuses what it cannot write, says what to do, and writes nothi
   refuses("cube -o run.txt", ".npz");
   refuses("cube -o none/run.npz", "none");
   refuses("cube -o run.npz --triangle 12", "12 triangles");
-  refuses("cube -o run.npz --instance 1", "1 instances");
+  refuses("cube -o run.npz --instance 1", "1 instance;");
   refuses("cube -o run.npz --rect 0,0,1281,5", "1280 x 720");
   refuses("cube -o run.npz --stages triangles,wheels", "wheels");
   refuses("cube -o run.npz --arrays corner.clap", "corner.clip");

@@ -185,12 +185,12 @@ TEST_CASE("z-fighting is named with what to change, and the change ends it") {
   CHECK(contains(text, "--depth d24"));
   CHECK(why_json(here, ladder + "d32r")["depth_fights"].empty());
   const Json one = why_json(here, ladder + "d16 --triangle 52");
-  REQUIRE_FALSE(one["fragments"]["depth_fights"].empty());
-  for (const Json& fight : one["fragments"]["depth_fights"]) {
+  REQUIRE_FALSE(one["depth_fights"].empty());
+  for (const Json& fight : one["depth_fights"]) {
     CHECK((fight["triangles"][0] == 52 || fight["triangles"][1] == 52));
   }
   CHECK(contains(here.run("why " + ladder + "d16 --triangle 52").out, "z-fighting"));
-  const Json fight = one["fragments"]["depth_fights"][0];
+  const Json fight = one["depth_fights"][0];
   const std::string at =
       " --at " + std::to_string(int(fight["at"][0])) + "," + std::to_string(int(fight["at"][1]));
   CHECK(contains(unwrapped(here.run("pixel " + ladder + "d16" + at).out), "z-fighting: triangle"));
