@@ -24,8 +24,8 @@ MatrixSetup random_setup(Random& random) {
   setup.model = given(
       book::product(book::translation(at[0], at[1], at[2]),
                     book::product(book::turn_y(random.between(5, 80)), book::scaling(1, 2, 1.5))));
-  setup.view = given(
-      book::look_at_right(book::random_place(random, 9), book::random_place(random, 1), {0, 1, 0}));
+  const book::Vector3 eye = book::random_place(random, 9), target = book::random_place(random, 1);
+  setup.view = given(book::look_at_right(eye, target, {0, 1, 0}));
   setup.projection = given(book::perspective_gl(random.between(0.5, 1.5), 1.5, 0.1, 100));
   return setup;
 }

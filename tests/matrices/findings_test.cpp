@@ -187,8 +187,8 @@ TEST_CASE("a projection times itself is told from a projection times a view") {
   for (int i = 0; i < 1000; ++i) {
     const double n = std::exp(random.between(-4, 1)), f = n * std::exp(random.between(1, 8));
     const double angle = book::radians(random.between(20, 120)), aspect = random.between(0.5, 2);
-    const Rows view =
-        book::look_at_right(random_place(random, 20), random_place(random, 5), {0, 1, 0});
+    const auto eye = random_place(random, 20), target = random_place(random, 5);
+    const Rows view = book::look_at_right(eye, target, {0, 1, 0});
     const std::vector<std::pair<std::string, Rows>> projections{
         {"opengl", book::perspective_gl(angle, aspect, n, f)},
         {"opengl", book::frustum_gl(-n * 0.4, n * 0.7, -n * 0.3, n * 0.5, n, f)},

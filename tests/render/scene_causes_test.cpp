@@ -58,7 +58,8 @@ Stage random_stage(Random& random) {
       rotate_degrees<World, Object>({axis.x, axis.y, axis.z}, random.between(-180, 180));
   REQUIRE(turned);
   const double size = std::pow(10, random.between(-3, 3));
-  s.middle = Point<World, double>() + random_direction(random) * (size * random.between(0, 5));
+  const Vector<World, double> aside = random_direction(random);
+  s.middle = Point<World, double>() + aside * (size * random.between(0, 5));
   s.radius = size * std::sqrt(3) * 1.5;
   s.world_from_object() = translate<World>({s.middle.x, s.middle.y, s.middle.z}) * *turned *
                           scale<Object>(size, size, size);
@@ -155,7 +156,8 @@ const std::vector<Planted>& plants() {
        }},
       {Cause::kInside,
        [](Stage& s, Random& random) {
-         s.eye = s.middle + random_direction(random) * (s.radius * random.between(0, 0.2));
+         const Vector<World, double> aside = random_direction(random);
+         s.eye = s.middle + aside * (s.radius * random.between(0, 0.2));
          s.near = s.radius * 0.001;
          const Vector<World, double> gaze = random_direction(random);
          s.up = across(gaze, random);

@@ -51,7 +51,7 @@ struct PictureSetOptions {
 // `path` is a folder with one file *_par.txt, or with a model of COLMAP (cameras and images, both
 // .bin or both .txt) in it, in sparse/0 or in sparse; or it is one of these files. Pictures are in
 // the same folder or below it (images/ too), mattes in masks/ under the same names; for a model
-// below sparse/, the folder is the one with sparse/ in it. Of a JPEG of COLMAP's, the pixels are
+// below sparse/, the folder is the one with sparse/ in it. A JPEG of COLMAP's has its pixels
 // taken as stored, because COLMAP ignores the orientation in its Exif data. Refused: cameras that
 // parse_cameras or parse_colmap refuses, pictures that are missing, outside of the folder, or of
 // another size than COLMAP's lens, mattes of another size than their picture, fewer than one camera
