@@ -76,7 +76,7 @@ struct Comparison {
 // tolerance is used if the options have none (otherwise the options' tolerance is used, and a note
 // says so). Pictures pass if they are the same, or if a fuzzy annotation, a number of ulps or
 // limits on metrics are given and all of them hold. If the pictures cannot be compared, the reason
-// is in `error`. Of animations, the first frames are compared; they pass only if the bytes of the
+// is in `error`. The first frames of animations are compared; they pass only if the bytes of the
 // other frames are the same.
 Comparison compare_files(const std::string& reference, const std::string& test,
                          const CompareOptions& options = {});
