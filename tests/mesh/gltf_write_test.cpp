@@ -255,7 +255,7 @@ TEST_CASE("what glTF cannot hold is an error, and no file is written") {
   auto done = write_glb(scene, path);
   REQUIRE_FALSE(done);
   CHECK(mentions(done.error().message(),
-                 "out.glb: camera 0 'eye': is given by the edges of a window"));
+                 "out.glb: camera 0 'eye': is given by the sides of a window"));
   scene = mixed_scene();
   scene.meshes[0].corners[4].normal = 0;
   done = write_glb(scene, path);

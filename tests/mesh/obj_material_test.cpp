@@ -93,7 +93,7 @@ TEST_CASE("MTL: unknown statements and those of no material are named, not passe
       with_usemtl("m", "Kd 1 0 0\nnewmtl m\nKdd 1 0 0\nmap_Diffuse a.png\nNi 1.5\nPr 0.5\n");
   CHECK(scene.warnings ==
         std::vector<std::string>{
-            "1 statements of 'the MTL text' stand before the first newmtl and were ignored (first "
+            "1 statement of 'the MTL text' stands before the first newmtl and was ignored (first "
             "in line 1)",
             "2 unknown statements of 'the MTL text' were ignored, 'Kdd' among them (first in line "
             "3)"});
