@@ -90,11 +90,11 @@ TEST_CASE("what a request asks for is done or refused, and the result says what 
   ColoringRequest request = flat.request;
   request.order = ColoringOrder::kCarve;
   CHECK(refusal(request).find(
-            "--direction: is for a single sweep, but carving sweeps along all six") !=
+            "--direction: this option is for a single sweep, but carving sweeps along all six") !=
         std::string::npos);
   request.direction.reset();
   request.levels = 1;
-  CHECK(refusal(request).find("--levels: is for a single sweep") != std::string::npos);
+  CHECK(refusal(request).find("--levels: this option is for a single sweep") != std::string::npos);
   // Cameras all around the box, without the request for a single sweep.
   flat.set.pictures[0].camera.centre = {-100, 0.5, 2};
   flat.set.pictures[1].camera.centre = {100, 0.5, 2};
