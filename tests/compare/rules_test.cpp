@@ -119,7 +119,7 @@ TEST_CASE("a tolerance wider than needed is stale, and the one that is enough is
   for (const char* text : {"fuzzy: 0-4;0-7", "fuzzy: 0-3;0-8", "fuzzy: 0-99;0-99"}) {
     const std::string note = stale(text, differences(3, 7));
     INFO(note);
-    CHECK(contains(note, "out of date"));
+    CHECK(contains(note, "stale"));
     CHECK(contains(note, "a.png.fuzzy"));
     CHECK(contains(note, "maxDifference=0-3;totalPixels=0-7"));
     // A sidecar that follows this advice gives no further note.

@@ -193,8 +193,8 @@ TEST_CASE("pairs that make no sense are refused with what to do about them") {
        "half of it is 5.1, but half of the picture's width at the window is only 5"},
       {&lens, {100.1, kInfinity}, "half of the picture's width at the window is only 100"},
       {&parallel, {4.1, 5}, "half of the picture's width at the window is only 4,"},
-      {&lens, {1e-40, 5}, "outside of what float holds; choose a separation"},
-      {&endless, {1e39, 1e39}, "outside of what float holds; choose a separation"},
+      {&lens, {1e-40, 5}, "too large or too small for a float; choose a separation"},
+      {&endless, {1e39, 1e39}, "too large or too small for a float; choose a separation"},
   };
   for (const Case& c : cases) {
     CAPTURE(c.pair.half_separation, c.pair.window);
