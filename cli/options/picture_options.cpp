@@ -142,10 +142,10 @@ std::vector<std::string> notes_on_projection(const PictureOptions& picture) {
 
 Result<ChosenView> view_of_both(const PictureOptions& picture) {
   const auto [width, height] = picture.size;
-  return view_of_matrices(setup_of(picture.matrices).setup, width, height, depth_range_of(picture))
-      .map([](const MatrixView& made) {
-        return ChosenView{made.camera, made.view, made};
-      });
+  const Result<MatrixView> made =
+      view_of_matrices(setup_of(picture.matrices).setup, width, height, depth_range_of(picture));
+  if (!made) return tl::unexpected(made.error());
+  return ChosenView{made->camera, made->view, *made};
 }
 
 // ---- the camera ----
