@@ -26,7 +26,6 @@
 #include <glassbox/compare/pictures/approve.h>
 #include <glassbox/compare/pictures/comparison.h>
 #include <glassbox/compare/pictures/pairing.h>
-#include <glassbox/compare/pixels/difference_text.h>
 #include <glassbox/compare/report/heat_map_file.h>
 #include <glassbox/compare/report/json.h>
 #include <glassbox/compare/report/junit.h>
@@ -59,7 +58,6 @@ private:
   std::optional<std::string> heat_, page_, json_, junit_;
   HeatMapKind heat_of_ = HeatMapKind::kSteps;
   bool approve_ = false;
-  bool suggest_ = false;
   std::vector<const CLI::Option*> comparing_;  // the options that can change the verdict
 };
 
@@ -128,6 +126,7 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox diff golden/teapot.png teapot.png --html page.html -o heat.png\n"
       "  glassbox diff golden/ out/ --junit report.xml --html report.html\n"
       "  glassbox diff a.png b.png --fuzzy 'maxDifference=0-1;totalPixels=0-4'\n"
+      "  glassbox diff a.png b.png --ignore-antialiasing --threshold 0.1 --max-differing 0.01%\n"
       "  glassbox diff a.png b.png --metric 'rmse,psnr>40,flip.mean<0.05'\n"
       "  glassbox diff golden/teapot.png teapot.png --approve\n\n"
       "A file NAME.fuzzy beside the reference NAME holds its tolerance and the reason for it:\n"
@@ -163,6 +162,32 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
           "for pictures of floats: the largest difference of two samples that passes, in ulps "
           "(steps from a float to the next)")
       ->type_name("N")
+      ->group(tolerance);
+  command
+      .add_option_function<std::string>(
+          "--threshold",
+          [this](const std::string& text) {
+            options_.tolerance.set_aside.threshold =
+                value_or_refuse("--threshold", parse_threshold(text));
+          },
+          "colours that are at most this far apart, from 0 to 1, do not count as different: the "
+          "distance of odiff, reg-cli and Playwright; 0.1 is 26 steps of grey")
+      ->type_name("T")
+      ->group(tolerance);
+  command
+      .add_option_function<std::string>(
+          "--max-differing",
+          [this](const std::string& text) {
+            options_.tolerance.max_differing =
+                value_or_refuse("--max-differing", parse_max_differing(text));
+          },
+          "how many pixels may differ by any amount: a number, or a share of those compared")
+      ->type_name("N|P%")
+      ->group(tolerance);
+  command
+      .add_flag("--ignore-antialiasing", options_.tolerance.set_aside.moved_edges,
+                "pixels do not count as different where an edge moved by less than a pixel; they "
+                "are counted apart")
       ->group(tolerance);
   command
       .add_option_function<std::vector<std::string>>(
@@ -218,7 +243,10 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
   command.add_option("--junit", junit_, "JUnit's XML for servers; - is standard output")
       ->type_name("FILE|-")
       ->group(reports);
-  command.add_flag("--suggest-fuzzy", suggest_, "print the tightest --fuzzy that would pass")
+  command
+      .add_flag("--suggest-fuzzy", options_.suggest_tolerance,
+                "print the tightest --fuzzy that would pass, and that still does when a picture "
+                "comes nearer to its reference; and the short options")
       ->group(reports);
   command
       .add_flag("--approve", approve_,
@@ -356,7 +384,6 @@ void DiffCommand::print(const std::vector<Comparison>& comparisons, const Pairin
     const std::string more = comparison_details(one);
     if (directories_ && one.verdict == Verdict::kSame && more.empty()) continue;
     fmt::print("{}\n{}", comparison_line(one), more);
-    if (suggest_ && one.differences) fmt::print("  fuzzy: {}\n", suggested_fuzzy(*one.differences));
   }
   for (const std::string& orphan : pairing.orphans) {
     fmt::print("note: {} belongs to no picture\n", printable(orphan, 400));

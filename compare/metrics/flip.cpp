@@ -93,7 +93,7 @@ Image<std::uint8_t> flip_heat_map(const PicturePair& pair) {
       for (int x = 0; x < box.width; ++x) {
         const bool compared = pair.selection.compares(box.x + x, box.y + y);
         levels.at(box.x + x, box.y + y) =
-            compared ? std::uint8_t(std::ceil(tile.error().row(y)[x] * float(kHeatHottest)))
+            compared ? level_of_ramp(int(std::ceil(tile.error().row(y)[x] * float(kHeatHottest))))
                      : kHeatNotCompared;
       }
     }

@@ -9,6 +9,7 @@
 #include <glassbox/compare/pictures/sidecar.h>
 #include <glassbox/compare/pixels/difference_text.h>
 #include <glassbox/compare/pixels/explanation.h>
+#include <glassbox/compare/pixels/perceived_distance.h>
 #include <glassbox/images/png_text.h>
 #include <glassbox/images/read.h>
 #include <glassbox/images/stored_file.h>
@@ -29,7 +30,7 @@ std::vector<std::string> broken_limits(const CompareOptions& options, const Pict
                                        const Differences& found,
                                        const std::vector<MetricValue>& metrics) {
   std::vector<std::string> broken;
-  const auto& [fuzzy, max_ulp] = options.tolerance;
+  const auto& [fuzzy, max_ulp, max_differing, set_aside] = options.tolerance;
   if (fuzzy && !allows(*fuzzy, found)) {
     const std::string needed = found.largest == kUnbounded ? steps_text(kUnbounded, pair.reference)
                                                            : to_string(tightest_fuzzy(found));
@@ -38,6 +39,16 @@ std::vector<std::string> broken_limits(const CompareOptions& options, const Pict
   if (max_ulp && found.largest > *max_ulp) {
     broken.push_back(fmt::format("{} is not within {}", steps_text(found.largest, pair.reference),
                                  steps_text(*max_ulp, pair.reference)));
+  }
+  if (max_differing && !allows(*max_differing, found)) {
+    broken.push_back(
+        fmt::format("more than {} of {} pixels differ", to_string(*max_differing), found.compared));
+  }
+  if (set_aside.threshold && !fuzzy && !max_differing && found.differing > 0) {
+    broken.push_back(fmt::format(
+        "{} further apart than the threshold {}",
+        found.differing == 1 ? "a pixel is" : fmt::format("{} pixels are", found.differing),
+        *set_aside.threshold));
   }
   for (const MetricValue& metric : metrics) {
     if (metric.passes) continue;
@@ -49,24 +60,34 @@ std::vector<std::string> broken_limits(const CompareOptions& options, const Pict
   return broken;
 }
 
-bool gates(const CompareOptions& options) {
-  return !options.tolerance.empty() || has_limit(options.metrics);
+// Whether there is a limit. Without one, no pixel may differ, except those that are set aside.
+bool gates(const Tolerance& tolerance, const std::vector<MetricRequest>& metrics) {
+  return tolerance.fuzzy || tolerance.max_ulp || tolerance.max_differing ||
+         tolerance.set_aside.threshold || has_limit(metrics);
 }
 
+// The reasons and the verdict, from `differences` and `metrics`.
 void decide_verdict(Comparison& comparison, const CompareOptions& options,
                     const PicturePair& pair) {
   const Differences& found = *comparison.differences;
-  const bool same = found.differing == 0;
-  comparison.verdict = same ? Verdict::kSame : Verdict::kDifferent;
-  if (!same) comparison.reasons.push_back(differences_text(pair, found));
-  if (!gates(options)) return;
-  const auto broken = broken_limits(options, pair, found, comparison.metrics);
-  comparison.reasons.insert(comparison.reasons.begin(), broken.begin(), broken.end());
-  if (!broken.empty()) {
+  std::vector<std::string>& reasons = comparison.reasons;
+  const bool gated = gates(options.tolerance, options.metrics);
+  if (gated) reasons = broken_limits(options, pair, found, comparison.metrics);
+  const bool allowed = gated ? reasons.empty() : found.differing == 0;
+  if (found.has_any()) reasons.push_back(differences_text(pair, found));
+  if (allowed) {
+    comparison.verdict = found.has_any() ? Verdict::kWithinTolerance : Verdict::kSame;
+  } else {
     comparison.verdict = Verdict::kDifferent;
-  } else if (!same) {
-    comparison.verdict = Verdict::kWithinTolerance;
   }
+}
+
+// Options that would let the pictures pass.
+std::vector<std::string> suggestions_for(const PicturePair& pair, const Differences& found) {
+  std::vector<std::string> lines{"fuzzy: " + suggested_fuzzy(found)};
+  const std::string options = suggested_options(pair, found);
+  if (!options.empty()) lines.push_back("short: " + options);
+  return lines;
 }
 
 std::string words_of(const Recipe& recipe) {
@@ -197,10 +218,11 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   comparison.ignore = rules.options.ignore;
   comparison.mask = rules.options.mask;
   comparison.nan_equals_nan = options.nan_equals_nan;
+  comparison.set_aside = rules.options.tolerance.set_aside;
   const auto selection = selection_of(reference, comparison.ignore, comparison.mask);
   if (!selection) return uncompared(std::move(comparison), selection.error());
 
-  const PicturePair pair{reference, test, *selection, options.nan_equals_nan};
+  const PicturePair pair{reference, test, *selection, options.nan_equals_nan, comparison.set_aside};
   comparison.differences = find_differences(pair);
   comparison.metrics = measure_metrics(pair, rules.options.metrics);
   decide_verdict(comparison, rules.options, pair);
@@ -210,6 +232,9 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   if (rules.tolerance_of_sidecar && passes(comparison.verdict)) {
     const std::string note = stale_tolerance_text(rules, *comparison.differences);
     if (!note.empty()) comparison.notes.push_back(note);
+  }
+  if (options.suggest_tolerance) {
+    comparison.suggestions = suggestions_for(pair, *comparison.differences);
   }
   if (!passes(comparison.verdict)) consult_recipes(comparison, options);
   consider_rest(comparison, *reference_file, *test_file);

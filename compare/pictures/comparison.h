@@ -36,6 +36,7 @@ struct CompareOptions {
   std::vector<PixelBox> ignore;
   std::string mask;  // file; empty: none
   bool nan_equals_nan = false;
+  bool suggest_tolerance = false;  // fill in Comparison::suggestions
   // Returns the command that shows how a pixel of a picture made by this recipe was computed; empty
   // where there is none.
   std::function<std::string(const Recipe& recipe, PixelPosition pixel)> inspect_command;
@@ -56,6 +57,7 @@ struct Comparison {
   Verdict verdict = Verdict::kSame;
   std::optional<Error> error;              // for kNew, kMissing and kUncompared
   std::optional<Differences> differences;  // none where sizes, channels or formats differ
+  SetAside set_aside;                      // what was not counted as a difference
   std::vector<MetricValue> metrics;
   // The reasons why the pictures are not the same, or too different: sentences, the decisive one
   // first.
@@ -63,8 +65,9 @@ struct Comparison {
   // Possible causes: a shift, a flip, swapped channels, another recipe.
   std::vector<std::string> hints;
   std::vector<std::string>
-      notes;              // tolerances that allow more than needed, options that were overruled
-  std::string tolerance;  // the tolerance that was used, as one would write it; empty: none
+      notes;  // tolerances that allow more than needed, options that were overruled
+  std::vector<std::string> suggestions;  // options that would let the pictures pass, if asked for
+  std::string tolerance;         // the tolerance that was used, as one would write it; empty: none
   std::string tolerance_reason;  // as given in the sidecar
   std::string inspect_command;  // shows how glassbox made the first differing pixel; empty: unknown
   std::vector<PixelBox> ignore;  // the boxes that were left out, including the sidecar's

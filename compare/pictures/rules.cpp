@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace glassbox {
 
@@ -49,6 +50,12 @@ std::string tolerance_text(const CompareOptions& options) {
   const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   if (options.tolerance.fuzzy) add(to_string(*options.tolerance.fuzzy));
   if (options.tolerance.max_ulp) add(fmt::format("{} ulps", *options.tolerance.max_ulp));
+  const auto& [threshold, moved_edges] = options.tolerance.set_aside;
+  if (threshold) add(fmt::format("threshold {}", *threshold));
+  if (options.tolerance.max_differing) {
+    add("at most " + to_string(*options.tolerance.max_differing) + " differing pixels");
+  }
+  if (moved_edges) add("moved edges are ignored");
   for (const MetricRequest& metric : options.metrics) {
     if (metric.limit) add(to_string(metric));
   }
@@ -57,22 +64,28 @@ std::string tolerance_text(const CompareOptions& options) {
 
 std::string stale_tolerance_text(const ComparisonRules& rules, const Differences& found) {
   if (!rules.tolerance_of_sidecar) return {};
-  const auto& [fuzzy, max_ulp] = rules.options.tolerance;
-  if (found.differing == 0) {
+  const auto& fuzzy = rules.options.tolerance.fuzzy;
+  const auto& max_ulp = rules.options.tolerance.max_ulp;
+  const auto& most = rules.options.tolerance.max_differing;
+  if (!found.has_any()) {
     const bool leaves_out = !rules.options.ignore.empty() || !rules.options.mask.empty();
     return "out of date: the tolerance of " + rules.sidecar_path + " is not needed: delete " +
            (leaves_out ? "its lines" : "the file");
   }
-  const bool wide_fuzzy = fuzzy && (found.largest < fuzzy->max_difference.highest ||
-                                    found.differing < fuzzy->total_pixels.highest);
-  const bool wide_ulps = max_ulp && found.largest < *max_ulp;
-  if (!wide_fuzzy && !wide_ulps) return {};
-  std::string enough;
-  if (wide_fuzzy) enough = to_string(Fuzzy{{0, found.largest}, {0, found.differing}});
-  if (wide_ulps) {
-    enough += fmt::format("{}max-ulp: {}", wide_fuzzy ? " and " : "", found.largest);
+  std::vector<std::string> enough;
+  if (fuzzy && (found.largest < fuzzy->max_difference.highest ||
+                found.differing < fuzzy->total_pixels.highest)) {
+    enough.push_back(to_string(lasting_fuzzy(found)));
   }
-  return "stale: " + rules.sidecar_path + " allows more than is needed; enough is " + enough;
+  if (max_ulp && found.largest < *max_ulp) {
+    enough.push_back(fmt::format("max-ulp: {}", found.largest));
+  }
+  if (most && !most->share && found.differing < most->pixels) {
+    enough.push_back(fmt::format("max-differing: {}", found.differing));
+  }
+  if (enough.empty()) return {};
+  return "stale: " + rules.sidecar_path + " allows more than is needed; enough is " +
+         fmt::format("{}", fmt::join(enough, " and "));
 }
 
 }  // namespace glassbox

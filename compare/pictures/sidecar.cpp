@@ -28,6 +28,9 @@ std::pair<std::string, std::string> split_line(std::string_view line) {
 bool is_known(const Sidecar& sidecar, const std::string& key) {
   return (key == "fuzzy" && sidecar.tolerance.fuzzy) ||
          (key == "max-ulp" && sidecar.tolerance.max_ulp) ||
+         (key == "threshold" && sidecar.tolerance.set_aside.threshold) ||
+         (key == "max-differing" && sidecar.tolerance.max_differing) ||
+         (key == "ignore-antialiasing" && sidecar.tolerance.set_aside.moved_edges) ||
          (key == "mask" && !sidecar.mask.empty()) || (key == "reason" && !sidecar.reason.empty());
 }
 
@@ -43,6 +46,20 @@ Result<void> read_line(Sidecar& sidecar, const std::string& key, const std::stri
     const auto ulps = parse_max_ulp(value);
     if (!ulps) return tl::unexpected(ulps.error());
     sidecar.tolerance.max_ulp = *ulps;
+  } else if (key == "threshold") {
+    const auto threshold = parse_threshold(value);
+    if (!threshold) return tl::unexpected(threshold.error());
+    sidecar.tolerance.set_aside.threshold = *threshold;
+  } else if (key == "max-differing") {
+    const auto most = parse_max_differing(value);
+    if (!most) return tl::unexpected(most.error());
+    sidecar.tolerance.max_differing = *most;
+  } else if (key == "ignore-antialiasing") {
+    if (value != "yes") {
+      return fail("", in_quotes(key) + " has the value " + in_quotes(value),
+                  "write yes, or delete the line");
+    }
+    sidecar.tolerance.set_aside.moved_edges = true;
   } else if (key == "metric") {
     const auto metrics = parse_metrics(value);
     if (!metrics) return tl::unexpected(metrics.error());
@@ -58,8 +75,10 @@ Result<void> read_line(Sidecar& sidecar, const std::string& key, const std::stri
   } else if (key == "reason") {
     sidecar.reason = printable(value, 1000);
   } else {
-    return fail("", "unknown key " + in_quotes(key),
-                "the keys are fuzzy, max-ulp, metric, ignore, mask and reason");
+    return fail(
+        "", "unknown key " + in_quotes(key),
+        "the keys are fuzzy, max-ulp, threshold, max-differing, ignore-antialiasing, metric, "
+        "ignore, mask and reason");
   }
   return {};
 }

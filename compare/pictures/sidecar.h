@@ -13,8 +13,8 @@
 namespace glassbox {
 
 // A text file of lines "key: value". The keys are those of the command line: fuzzy, max-ulp,
-// metric, ignore, mask; and reason, which is required. # starts a comment line; a line without a
-// key is a fuzzy annotation.
+// threshold, max-differing, metric, ignore-antialiasing (with the value yes), ignore, mask; and
+// reason, which is required. # starts a comment line; a line without a key is a fuzzy annotation.
 //
 //     # teapot.png.fuzzy
 //     maxDifference=0-1;totalPixels=0-4

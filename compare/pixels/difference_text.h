@@ -17,11 +17,16 @@ std::string pixel_text(const StoredImage& image, PixelPosition pixel);
 std::string steps_text(std::uint32_t steps, const StoredImage& image);
 
 // "12 of 57600 pixels differ, by up to 3/255, in 2 regions; first (2, 1): (0, 0, 0) became (0, 0,
-// 1)".
+// 1)". Pixels that are set aside follow: "; set aside: 40 pixels at moved edges (by up to 9/255)".
+// There must be differences.
 std::string differences_text(const PicturePair& pair, const Differences& found);
 
-// The tightest fuzzy annotation that allows the differences; for kUnbounded a sentence that there
-// is none.
+// A fuzzy annotation that allows the differences and everything smaller; for kUnbounded a sentence
+// that there is none.
 std::string suggested_fuzzy(const Differences& found);
+
+// "--max-differing 12, or --threshold 0.0312": options that allow the differences; empty where
+// there are none.
+std::string suggested_options(const PicturePair& pair, const Differences& found);
 
 }  // namespace glassbox

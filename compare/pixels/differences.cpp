@@ -5,6 +5,8 @@
 #include <cstring>
 
 #include <glassbox/base/rounding.h>
+#include <glassbox/compare/pixels/moved_edge.h>
+#include <glassbox/compare/pixels/perceived_distance.h>
 #include <glassbox/compare/pixels/regions.h>
 
 namespace glassbox {
@@ -48,6 +50,26 @@ void exclude_row(const Selection& selection, int y, std::span<std::uint32_t> ste
   if (selection.includes_all()) return;
   for (std::size_t x = 0; x < steps.size(); ++x) {
     if (!selection.compares(int(x), y)) steps[x] = 0;
+  }
+}
+
+PixelKind kind_of_difference(const PicturePair& pair, PixelPosition pixel) {
+  const auto& [threshold, moved_edges] = pair.set_aside;
+  if (threshold && perceived_distance(pair, pixel) <= *threshold) return PixelKind::kBelowThreshold;
+  if (moved_edges && is_moved_edge(pair, pixel)) return PixelKind::kMovedEdge;
+  return PixelKind::kDifferent;
+}
+
+// Counts the pixels of row y that are set aside, and clears their steps.
+void set_aside(const PicturePair& pair, int y, std::span<PixelKind> kinds,
+               std::span<std::uint32_t> steps, Differences& found) {
+  row_kinds(pair, y, steps, kinds);
+  for (std::size_t x = 0; x < steps.size(); ++x) {
+    if (kinds[x] != PixelKind::kMovedEdge && kinds[x] != PixelKind::kBelowThreshold) continue;
+    auto& count = kinds[x] == PixelKind::kMovedEdge ? found.moved_edges : found.below_threshold;
+    ++count.pixels;
+    count.largest = std::max(count.largest, steps[x]);
+    steps[x] = 0;
   }
 }
 
@@ -98,13 +120,22 @@ bool row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> st
       pair.reference.samples);
 }
 
+void row_kinds(const PicturePair& pair, int y, std::span<const std::uint32_t> steps,
+               std::span<PixelKind> kinds) {
+  for (std::size_t x = 0; x < steps.size(); ++x) {
+    kinds[x] = steps[x] == 0 ? PixelKind::kSame : kind_of_difference(pair, {int(x), y});
+  }
+}
+
 Differences find_differences(const PicturePair& pair, std::size_t kept_regions) {
   Differences found;
   found.compared = pair.selection.compared_pixels();
   RegionFinder regions(pair.reference.width, kept_regions);
   std::vector<std::uint32_t> steps(std::size_t(pair.reference.width));
+  std::vector<PixelKind> kinds(pair.set_aside.empty() ? 0 : steps.size());
   for (int y = 0; y < pair.reference.height; ++y) {
     const bool may_differ = row_differences(pair, y, steps);
+    if (may_differ && !pair.set_aside.empty()) set_aside(pair, y, kinds, steps, found);
     regions.add_row(y, steps);
     if (!may_differ) continue;
     for (int x = 0; x < pair.reference.width; ++x) {

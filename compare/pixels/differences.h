@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,12 +17,22 @@ namespace glassbox {
 // anything else.
 inline constexpr std::uint32_t kUnbounded = std::numeric_limits<std::uint32_t>::max();
 
+// Differences that are set aside: they are counted apart, and are no reason to call two pictures
+// different.
+struct SetAside {
+  // Distances up to this one, in [0, 1]: see perceived_distance.h. Not for pictures of floats.
+  std::optional<double> threshold = {};
+  bool moved_edges = false;  // see moved_edge.h
+  bool empty() const { return !threshold && !moved_edges; }
+};
+
 // Two pictures of the same size, channels and format, and the pixels of them that are compared.
 struct PicturePair {
   const StoredImage& reference;
   const StoredImage& test;
   const Selection& selection;
   bool nan_equals_nan = false;
+  SetAside set_aside = {};
 };
 
 // The number of floats from a to b: 0 for the same bits, 1 for neighbours; -0 and +0 are neighbours
@@ -47,9 +58,15 @@ struct Region {
   PixelPosition worst;        // the first pixel in row order that differs by `largest`
 };
 
+// Differing pixels that are set aside.
+struct SetAsidePixels {
+  std::uint64_t pixels = 0;
+  std::uint32_t largest = 0;  // steps
+};
+
 struct Differences {
   std::uint64_t compared = 0;   // pixels
-  std::uint64_t differing = 0;  // pixels
+  std::uint64_t differing = 0;  // pixels, without those that are set aside
   std::uint32_t largest = 0;    // steps
   PixelPosition first;          // in row order; valid where differing > 0
   PixelBox box;                 // around all pixels that differ
@@ -57,7 +74,18 @@ struct Differences {
   // sorted by largest difference and then by number of pixels, the worst first; `kept_regions` at
   // most
   std::vector<Region> regions;
+  SetAsidePixels moved_edges, below_threshold;
+  bool has_any() const {
+    return differing > 0 || moved_edges.pixels > 0 || below_threshold.pixels > 0;
+  }
 };
+
+enum class PixelKind : std::uint8_t { kSame, kDifferent, kMovedEdge, kBelowThreshold };
+
+// What the differences of row y are, from the steps that row_differences computed. A pixel that is
+// below the threshold is not also counted as a moved edge. `kinds` has one element per pixel.
+void row_kinds(const PicturePair& pair, int y, std::span<const std::uint32_t> steps,
+               std::span<PixelKind> kinds);
 
 // Makes one pass over the rows; the memory is proportional to a row and to the regions kept.
 Differences find_differences(const PicturePair& pair, std::size_t kept_regions = 100);

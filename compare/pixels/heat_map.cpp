@@ -17,6 +17,8 @@ constexpr Stop kStops[] = {{1, 104, 48, 200},
                            {192, 255, 190, 40},
                            {254, 255, 255, 255}};
 constexpr Rgba8 kNotComparedColour{62, 76, 96, 255};
+constexpr Rgba8 kMovedEdgeColour{0, 160, 120, 255};
+constexpr Rgba8 kBelowThresholdColour{0, 90, 170, 255};
 
 std::uint8_t between(int a, int b, int numerator, int denominator) {
   return std::uint8_t(a + (b - a) * numerator / denominator);
@@ -42,11 +44,12 @@ std::uint32_t log2_256(std::uint32_t steps) {
   return exponent * 256 + std::uint32_t((std::uint64_t(steps) << 8 >> exponent) - 256);
 }
 
-}  // namespace
+using Colours = std::array<Rgba8, 256>;
 
-const std::array<Rgba8, 256>& heat_colours() {
-  static const std::array<Rgba8, 256> colours = [] {
-    std::array<Rgba8, 256> table{};
+// The colours between the stops, from level 1 to the hottest.
+const Colours& ramp() {
+  static const Colours colours = [] {
+    Colours table{};
     for (std::size_t i = 0; i + 1 < std::size(kStops); ++i) {
       const Stop& from = kStops[i];
       const Stop& to = kStops[i + 1];
@@ -57,7 +60,25 @@ const std::array<Rgba8, 256>& heat_colours() {
                                      between(from.b, to.b, done, all), 255};
       }
     }
+    return table;
+  }();
+  return colours;
+}
+
+std::uint8_t level_of_kind(PixelKind kind, std::uint32_t steps, const StoredImage& image) {
+  if (kind == PixelKind::kMovedEdge) return kHeatMovedEdge;
+  if (kind == PixelKind::kBelowThreshold) return kHeatBelowThreshold;
+  return heat_level(steps, image);
+}
+
+}  // namespace
+
+const std::array<Rgba8, 256>& heat_colours() {
+  static const Colours colours = [] {
+    Colours table = ramp();
     table[kHeatNotCompared] = kNotComparedColour;
+    table[kHeatMovedEdge] = kMovedEdgeColour;
+    table[kHeatBelowThreshold] = kBelowThresholdColour;
     return table;
   }();
   return colours;
@@ -66,7 +87,7 @@ const std::array<Rgba8, 256>& heat_colours() {
 Rgba8 heat_colour(double share) {
   constexpr double kVisible = 0.15;
   const double inside = std::clamp(share, 0.0, 1.0);
-  const Rgba8& colour = heat_colours()[std::size_t(1 + std::lround(inside * (kHeatHottest - 1)))];
+  const Rgba8& colour = ramp()[std::size_t(1 + std::lround(inside * (kHeatHottest - 1)))];
   const double grown = std::min(inside / kVisible, 1.0);
   const auto part = [&](std::uint8_t full) { return std::uint8_t(std::lround(full * grown)); };
   return {part(colour.r), part(colour.g), part(colour.b), 255};
@@ -76,17 +97,20 @@ std::uint8_t heat_level(std::uint32_t steps, const StoredImage& image) {
   if (steps == 0) return kHeatSame;
   const std::uint32_t end = end_of_scale(image);
   const std::uint32_t height = log2_256(std::min(steps, end));
-  return std::uint8_t(1 + height * (kHeatHottest - 1u) / log2_256(end));
+  return level_of_ramp(int(1 + height * (kHeatHottest - 1u) / log2_256(end)));
 }
 
 Image<std::uint8_t> heat_map(const PicturePair& pair) {
   Image<std::uint8_t> levels(pair.reference.width, pair.reference.height);
   std::vector<std::uint32_t> steps(std::size_t(levels.width));
+  std::vector<PixelKind> kinds(steps.size());
   for (int y = 0; y < levels.height; ++y) {
     row_differences(pair, y, steps);
+    row_kinds(pair, y, steps, kinds);
     for (int x = 0; x < levels.width; ++x) {
+      const auto i = std::size_t(x);
       levels.at(x, y) = pair.selection.compares(x, y)
-                            ? heat_level(steps[std::size_t(x)], pair.reference)
+                            ? level_of_kind(kinds[i], steps[i], pair.reference)
                             : kHeatNotCompared;
     }
   }

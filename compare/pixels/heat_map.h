@@ -10,13 +10,27 @@
 
 namespace glassbox {
 
-inline constexpr std::uint8_t kHeatSame = 0;           // compared and equal
-inline constexpr std::uint8_t kHeatNotCompared = 255;  // not compared
-// 1 to 254: the size of the difference; 254 is the largest
+inline constexpr std::uint8_t kHeatSame = 0;              // compared and equal
+inline constexpr std::uint8_t kHeatNotCompared = 255;     // not compared
+inline constexpr std::uint8_t kHeatMovedEdge = 253;       // set aside: a moved edge
+inline constexpr std::uint8_t kHeatBelowThreshold = 252;  // set aside: below the threshold
+// 1 to 251, and 254 for the largest: the size of the difference
 inline constexpr std::uint8_t kHeatHottest = 254;
 
+// Whether the level is that of a difference that counts.
+constexpr bool is_heat(std::uint8_t level) {
+  return level != kHeatSame && (level < kHeatBelowThreshold || level == kHeatHottest);
+}
+
+// The level of a map for a step of the ramp in [0, 254]; the two steps below the hottest are those
+// of pixels that are set aside, and become the one below them.
+constexpr std::uint8_t level_of_ramp(int step) {
+  const bool taken = step == kHeatMovedEdge || step == kHeatBelowThreshold;
+  return std::uint8_t(taken ? kHeatBelowThreshold - 1 : step);
+}
+
 // The colour of each level: a single step is clearly visible, pixels that are left out are
-// blue-grey.
+// blue-grey, moved edges are green, and what is below the threshold is blue.
 const std::array<Rgba8, 256>& heat_colours();
 
 // The colour for a fraction of the limit: as heat_colours, but with black blended into the low end,

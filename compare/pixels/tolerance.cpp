@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include <glassbox/base/printable.h>
 #include <glassbox/base/trimmed.h>
 
@@ -45,6 +47,22 @@ bool read_named_range(std::string_view text, NamedRange& named) {
   named.name = trimmed(text.substr(0, equals));
   const bool known = named.name == kMaxDifference || named.name == kTotalPixels;
   return known && read_range(text.substr(equals + 1), named.range);
+}
+
+constexpr std::size_t kShareDecimals = 6;
+constexpr std::uint64_t kOnePercent = 1'000'000;  // in the unit of a share
+
+// Reads a percentage without its sign: "0.1" is 100000 millionths.
+bool read_share(std::string_view text, std::uint64_t& share) {
+  const auto point = std::min(text.find('.'), text.size());
+  std::string decimals(point < text.size() ? text.substr(point + 1) : "");
+  if (point + 1 == text.size() || decimals.size() > kShareDecimals) return false;
+  decimals.resize(kShareDecimals, '0');
+  std::uint64_t whole = 0, part = 0;
+  if (!read_count(text.substr(0, point), whole) || !read_count(decimals, part)) return false;
+  if (whole > 100) return false;
+  share = whole * kOnePercent + part;
+  return share <= 100 * kOnePercent;
 }
 
 std::string to_string(const CountRange& range) {
@@ -96,6 +114,52 @@ bool allows(const Fuzzy& fuzzy, const Differences& differences) {
 Fuzzy tightest_fuzzy(const Differences& differences) {
   return {{differences.largest, differences.largest},
           {differences.differing, differences.differing}};
+}
+
+Fuzzy lasting_fuzzy(const Differences& differences) {
+  return {{0, differences.largest}, {0, differences.differing}};
+}
+
+Result<MaxDiffering> parse_max_differing(const std::string& text) {
+  std::string_view number = trimmed(text);
+  MaxDiffering most;
+  const bool percent = number.ends_with('%');
+  if (percent) number.remove_suffix(1);
+  std::uint64_t share = 0;
+  const bool good = percent ? read_share(number, share) : read_count(number, most.pixels);
+  if (!good) {
+    return fail("", "not a number of pixels: " + in_quotes(text),
+                "write a whole number, as in 12, or a percentage, as in 0.1%");
+  }
+  if (percent) most.share = share;
+  return most;
+}
+
+std::string to_string(const MaxDiffering& most) {
+  if (!most.share) return std::to_string(most.pixels);
+  std::string text = fmt::format("{}.{:06}", *most.share / kOnePercent, *most.share % kOnePercent);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text + "%";
+}
+
+bool allows(const MaxDiffering& most, const Differences& differences) {
+  if (differences.largest == kUnbounded) return false;
+  if (!most.share) return differences.differing <= most.pixels;
+  // Both products stay below 2^60: at most 2^28 pixels are compared.
+  return differences.differing * 100 * kOnePercent <= *most.share * differences.compared;
+}
+
+Result<double> parse_threshold(const std::string& text) {
+  const std::string_view number = trimmed(text);
+  double threshold = 0;
+  const char* end = number.data() + number.size();
+  const auto [stop, error] =
+      std::from_chars(number.data(), end, threshold, std::chars_format::fixed);
+  if (error != std::errc{} || stop != end || !(threshold >= 0 && threshold <= 1)) {
+    return fail("", "not a threshold: " + in_quotes(text), "write a number from 0 to 1, as in 0.1");
+  }
+  return threshold;
 }
 
 }  // namespace glassbox

@@ -41,11 +41,36 @@ bool allows(const Fuzzy& fuzzy, const Differences& differences);
 // The annotation that allows exactly these differences.
 Fuzzy tightest_fuzzy(const Differences& differences);
 
+// The annotation that allows these differences and everything smaller.
+Fuzzy lasting_fuzzy(const Differences& differences);
+
+// How many pixels may differ: a number, or a share of the pixels that are compared.
+struct MaxDiffering {
+  std::uint64_t pixels = 0;  // valid unless there is a share
+  // In millionths of a percent, so that shares are exact: at most 10^8.
+  std::optional<std::uint64_t> share = {};
+  friend bool operator==(const MaxDiffering&, const MaxDiffering&) = default;
+};
+
+// Parses a whole number ("12") or a percentage with at most six decimals ("0.1%").
+Result<MaxDiffering> parse_max_differing(const std::string& text);
+std::string to_string(const MaxDiffering& most);
+
+// Whether no more pixels differ. A difference of kUnbounded is never allowed.
+bool allows(const MaxDiffering& most, const Differences& differences);
+
+// Parses a number from 0 to 1: a distance of perceived_distance.h.
+Result<double> parse_threshold(const std::string& text);
+
 struct Tolerance {
   std::optional<Fuzzy> fuzzy;
   // The largest allowed distance of two samples; for pictures of floats only.
   std::optional<std::uint32_t> max_ulp;
-  bool empty() const { return !fuzzy && !max_ulp; }
+  std::optional<MaxDiffering> max_differing;
+  // What is not counted as a difference. No pixel may lie above a threshold, unless `fuzzy` or
+  // `max_differing` allow some.
+  SetAside set_aside;
+  bool empty() const { return !fuzzy && !max_ulp && !max_differing && set_aside.empty(); }
 };
 
 // Parses a whole number of ulps below kUnbounded.

@@ -21,7 +21,8 @@ Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatMapKin
   }
   const auto selection = selection_of(*reference, comparison.ignore, comparison.mask);
   if (!selection) return tl::unexpected(selection.error());
-  const PicturePair pair{*reference, *test, *selection, comparison.nan_equals_nan};
+  const PicturePair pair{*reference, *test, *selection, comparison.nan_equals_nan,
+                         comparison.set_aside};
   if (of == HeatMapKind::kSteps) return heat_map(pair);
   if (std::holds_alternative<std::vector<float>>(reference->samples)) {
     return fail(comparison.name, "FLIP is not defined for pictures of floats",

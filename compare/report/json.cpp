@@ -44,10 +44,16 @@ Json region(const Region& region) {
           {"worst", point(region.worst)}};
 }
 
-Json differences(const Differences& found) {
+Json set_aside(const SetAsidePixels& aside) {
+  return {{"pixels", aside.pixels}, {"largest", steps(aside.largest)}};
+}
+
+Json differences(const Differences& found, const SetAside& aside) {
   Json json{{"compared_pixels", found.compared},
             {"differing_pixels", found.differing},
             {"largest", steps(found.largest)}};
+  if (aside.moved_edges) json["moved_edges"] = set_aside(found.moved_edges);
+  if (aside.threshold) json["below_threshold"] = set_aside(found.below_threshold);
   if (found.differing == 0) return json;
   json["first"] = point(found.first);
   json["box"] = box(found.box);
@@ -96,7 +102,9 @@ Json to_json(const Comparison& comparison) {
   if (comparison.error) json["error"] = error(*comparison.error);
   json["reference"] = picture(comparison.reference);
   json["test"] = picture(comparison.test);
-  if (comparison.differences) json["differences"] = differences(*comparison.differences);
+  if (comparison.differences) {
+    json["differences"] = differences(*comparison.differences, comparison.set_aside);
+  }
   for (const MetricValue& one : comparison.metrics) json["metrics"].push_back(metric(one));
   for (const PixelBox& one : comparison.ignore) json["ignore"].push_back(box(one));
   add_word(json, "mask", comparison.mask);
@@ -105,6 +113,7 @@ Json to_json(const Comparison& comparison) {
   add_words(json, "reasons", comparison.reasons);
   add_words(json, "hints", comparison.hints);
   add_words(json, "notes", comparison.notes);
+  add_words(json, "suggestions", comparison.suggestions);
   add_word(json, "inspect_command", comparison.inspect_command);
   return json;
 }

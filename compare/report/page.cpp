@@ -53,10 +53,9 @@ std::optional<StoredImage> heat_of(const Comparison& comparison, const StoredIma
                                    const StoredImage& test) {
   const auto selection = selection_of(reference, comparison.ignore, comparison.mask);
   if (!selection) return {};
-  auto levels = heat_map({reference, test, *selection, comparison.nan_equals_nan});
-  const auto differing = std::count_if(
-      levels.pixels.begin(), levels.pixels.end(),
-      [](std::uint8_t level) { return level != kHeatSame && level != kHeatNotCompared; });
+  auto levels =
+      heat_map({reference, test, *selection, comparison.nan_equals_nan, comparison.set_aside});
+  const auto differing = std::count_if(levels.pixels.begin(), levels.pixels.end(), is_heat);
   if (std::uint64_t(differing) != comparison.differences->differing) return {};
   return StoredImage{levels.width, levels.height, 1,
                      std::vector(levels.pixels.begin(), levels.pixels.end())};

@@ -54,6 +54,7 @@ std::string comparison_details(const Comparison& comparison) {
     text += line(metric.name, value_text(metric));
   for (const std::string& hint : comparison.hints) text += line("likely", hint);
   for (const std::string& note : comparison.notes) text += line("note", note);
+  for (const std::string& suggestion : comparison.suggestions) text += "  " + suggestion + "\n";
   // The command is not shortened: a command that is cut off would be a different command.
   if (!comparison.inspect_command.empty()) {
     text += fmt::format("  inspect: {}\n", comparison.inspect_command);

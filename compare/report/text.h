@@ -14,8 +14,8 @@ std::string verdict_name(Verdict verdict);
 // One line: the picture, the verdict, and the reason if it does not pass.
 std::string comparison_line(const Comparison& comparison);
 
-// Returns further lines, each indented: more reasons, hints, notes, metrics, and the command that
-// inspects the first differing pixel. Empty for pictures that pass without any of these.
+// Returns further lines, each indented: more reasons, hints, notes, metrics, suggestions, and the
+// command that inspects the first differing pixel. Empty for pictures that pass without any of these.
 std::string comparison_details(const Comparison& comparison);
 
 // A line such as "57 pictures: 55 same, 1 within tolerance, 1 different".

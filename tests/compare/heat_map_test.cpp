@@ -70,26 +70,40 @@ TEST_CASE("the same is black, a single step is plainly visible, the hottest is w
 TEST_CASE("colours grow brighter with the level, and no two levels share one") {
   const auto& colours = heat_colours();
   for (std::size_t level = 2; level <= kHeatHottest; ++level) {
+    const std::size_t below = level == kHeatHottest ? level_of_ramp(kHeatHottest - 1) : level - 1;
+    if (!is_heat(std::uint8_t(level))) continue;
     INFO("level " << level);
     // Rounding down may make a colour darker by one step of one channel.
-    CHECK(brightness(colours[level]) > brightness(colours[level - 1]) - 1);
-    CHECK(!(colours[level] == colours[level - 1]));
+    CHECK(brightness(colours[level]) > brightness(colours[below]) - 1);
+    CHECK(!(colours[level] == colours[below]));
   }
   for (const std::size_t level : {32u, 64u, 128u, 192u, 254u}) {
     CHECK(brightness(colours[level]) > brightness(colours[level / 2]));
   }
 }
 
-TEST_CASE("what is left out has a colour that no difference has") {
+TEST_CASE("what is left out and what is set aside have colours that no difference has") {
   const auto& colours = heat_colours();
-  const Rgba8 left_out = colours[kHeatNotCompared];
-  for (std::size_t level = 0; level <= kHeatHottest; ++level) {
-    const int apart = std::abs(colours[level].r - left_out.r) +
-                      std::abs(colours[level].g - left_out.g) +
-                      std::abs(colours[level].b - left_out.b);
-    INFO("level " << level);
-    CHECK(apart > 60);
+  for (const std::size_t special : {kHeatNotCompared, kHeatMovedEdge, kHeatBelowThreshold}) {
+    for (std::size_t level = 0; level < colours.size(); ++level) {
+      if (level == special) continue;
+      const int apart = std::abs(colours[level].r - colours[special].r) +
+                        std::abs(colours[level].g - colours[special].g) +
+                        std::abs(colours[level].b - colours[special].b);
+      INFO("levels " << special << " and " << level);
+      CHECK(apart > 60);
+    }
   }
+}
+
+TEST_CASE("no difference has a level of what is set aside") {
+  const StoredImage bytes = blank(1, 1, 1, Format::kBytes);
+  for (std::uint32_t steps = 1; steps <= 255; ++steps) CHECK(is_heat(heat_level(steps, bytes)));
+  const StoredImage shorts = blank(1, 1, 1, Format::kShorts);
+  for (std::uint32_t steps = 1; steps <= 65535; ++steps) {
+    if (!is_heat(heat_level(steps, shorts))) FAIL(steps << " steps");
+  }
+  CHECK(heat_level(255, bytes) == kHeatHottest);
 }
 
 TEST_CASE("a heat map has the level of each pixel's difference") {

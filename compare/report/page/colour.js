@@ -74,8 +74,12 @@ function paintHeat(heat, colours) {
   }
 }
 
-const leftOut = 255;
-const hotter = (a, b) => (a === leftOut || b === leftOut ? Math.min(a, b) || leftOut : Math.max(a, b));
+const leftOut = 255, hottest = 254, movedEdge = 253, belowThreshold = 252;
+const setAside = (level) => level === movedEdge || level === belowThreshold;
+
+// What is not compared and what is set aside are hotter than equal pixels, and less hot than all other differences.
+const heatOf = (level) => (level === leftOut ? 0.1 : setAside(level) ? 0.2 : level);
+const hotter = (a, b) => (heatOf(a) > heatOf(b) ? a : b);
 
 function halve({width, height, levels}) {
   const half = {width: (width + 1) >> 1, height: (height + 1) >> 1};
@@ -107,8 +111,8 @@ const packedColour = (text) => {
   return (0xff000000 | ((rgb & 255) << 16) | (rgb & 0xff00) | (rgb >> 16)) >>> 0;
 };
 
-// The colours of the heat map from a single step to the hottest.
+// The colours of the heat map from a single step to the hottest, without those of what is set aside.
 function paintLegend(colours) {
-  const levels = Uint8Array.from({length: leftOut - 1}, (_, i) => i + 1);
+  const levels = Uint8Array.from({length: hottest}, (_, i) => (setAside(i + 1) ? belowThreshold - 1 : i + 1));
   byId("legend").getContext("2d").drawImage(paintLevels({width: levels.length, height: 1, levels}, colours), 0, 0);
 }

@@ -67,6 +67,7 @@ function showFindings(pair) {
     section("Likely causes", sentences(pair.hints)),
     section("Notes", sentences(pair.notes)),
     section("Tolerance", toleranceText(pair)),
+    section("Options that would let it pass", sentences(pair.suggestions)),
     section("Metrics", metricsTable(pair.metrics)),
     section("Show how the first differing pixel was made", command(pair.inspect_command)),
     section("Files", factsTable(pair)),
@@ -131,6 +132,7 @@ function listRegions({differences, regions}) {
   const unit = unitOf[state.pair.pictures[0]?.type] ?? "";
   byId("regions-note").textContent = `${count(differences.differing_pixels, "pixel")} of ` +
     `${differences.compared_pixels.toLocaleString("en")} in ${count(differences.region_count ?? 0, "region")}` +
+    setAsideText(differences) +
     (differences.region_count > regions.length ? `; the worst ${regions.length} are listed` : "");
   byId("region-list").replaceChildren(...regions.map((region, index) => {
     const {x, y, width, height} = region.box;
@@ -138,6 +140,11 @@ function listRegions({differences, regions}) {
       element("b", {}, largestText(region, unit)), element("span", {}, `${width}×${height} at ${x}, ${y}`),
       element("span", {className: "quiet"}, count(region.pixels, "pixel"))));
   }));
+}
+
+function setAsideText({moved_edges, below_threshold}) {
+  return (moved_edges ? `; ${count(moved_edges.pixels, "pixel")} at moved edges` : "") +
+    (below_threshold ? `; ${count(below_threshold.pixels, "pixel")} below the threshold` : "");
 }
 
 function markRegion(index) {

@@ -60,6 +60,9 @@ function offerControls() {
   byId("readout").classList.toggle("tall", pictures[0]?.type === "f32" || pictures[0]?.channels === 4);
   for (const end of ["low", "high"]) Object.assign(byId(`${end}-slider`), {min: range.low, max: range.high});
   byId("hottest").textContent = {u8: "255", u16: "65,535", f32: "2²⁴ ulp or more"}[pictures[0]?.type];
+  const {moved_edges, below_threshold} = state.facts.differences ?? {};
+  byId("moved-edge").hidden = !moved_edges;
+  byId("below-threshold").hidden = !below_threshold;
   if (heat) paintHeat(heat, heatColours);
 }
 
@@ -175,7 +178,9 @@ function differenceText() {
   if (!state.cursor || !state.pair?.heat) return "–";
   const {x, y} = state.cursor, {reference, heat} = state.pair, steps = differenceAt(x, y);
   if (!steps) return samplesAt(heat, x, y)?.[0] === leftOut ? "not compared" : "not in this page";
-  return valueLines(reference, steps, stepsText).join("  ") + (reference.type === "f32" ? " ulp" : "");
+  const aside = {[movedEdge]: ", a moved edge", [belowThreshold]: ", below the threshold"};
+  return valueLines(reference, steps, stepsText).join("  ") + (reference.type === "f32" ? " ulp" : "") +
+    (aside[samplesAt(heat, x, y)[0]] ?? "");
 }
 
 const heatColours = manifest.heat_colours.map(packedColour);

@@ -1,0 +1,111 @@
+// Tests the options of glassbox diff that other tools have, too: thresholds, shares of pixels and
+// moved edges.
+#include "tests/support/catch.h"
+
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/picture_file_kinds.h"
+
+#include <glassbox/compare/pixels/heat_map.h>
+#include <glassbox/images/read.h>
+
+namespace glassbox::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// The line that starts with a label, without the label.
+std::string line_of(const std::string& out, const std::string& label) {
+  const auto start = out.find(label);
+  if (start == std::string::npos) return {};
+  return out.substr(start + label.size(), out.find('\n', start) - start - label.size());
+}
+
+// Two renderings of a scene whose edges lie a third of a pixel apart.
+class MovedScene {
+public:
+  MovedScene() {
+    // The eye and the point it looks at move to the side by what 0.3 px are at the cube.
+    REQUIRE(here.run("render teapot:2 --size 160x120 --samples 16 --eye 0,0,6 --look-at 0,0,0 "
+                     "--shade flat -o a.png")
+                .exit_code == 0);
+    REQUIRE(here.run("render teapot:2 --size 160x120 --samples 16 --eye 0.01,0,6 --look-at "
+                     "0.01,0,0 --shade flat -o b.png")
+                .exit_code == 0);
+  }
+  WorkingDirectory here;
+};
+
+TEST_CASE("edges that moved are counted apart in text, JSON, heat map and page") {
+  const MovedScene scene;
+  const Outcome plain = scene.here.run("diff a.png b.png");
+  CHECK(plain.exit_code == 1);
+  CHECK(!contains(plain.out, "moved edges"));
+  const Outcome outcome = scene.here.run(
+      "diff a.png b.png --ignore-antialiasing --json r.json -o heat.png --html page.html");
+  INFO(outcome.out);
+  CHECK(contains(outcome.out, "at moved edges (by up to "));
+  CHECK(contains(outcome.out, "tolerance: moved edges are ignored"));
+  const Json found = Json::parse(scene.here.read("r.json"))["pictures"][0]["differences"];
+  const auto moved = found["moved_edges"]["pixels"].get<int>();
+  CHECK(moved > 300);
+  CHECK(found["differing_pixels"].get<int>() * 20 < moved);
+  const auto heat = value_of(read_image(scene.here.file("heat.png")));
+  CHECK(std::count(heat.pixels.begin(), heat.pixels.end(), heat_colours()[kHeatMovedEdge]) ==
+        moved);
+  CHECK(contains(scene.here.read("page.html"), "\"moved_edges\""));
+}
+
+TEST_CASE("thresholds and numbers of pixels decide, and what they cannot be is refused") {
+  const WorkingDirectory here;
+  StoredImage image = sample_picture({"", "", 3, Format::kBytes, {}});
+  for (int x = 0; x < 4; ++x) {
+    for (int c = 0; c < 3; ++c) set_sample(image, x, 2, c, 100);
+  }
+  here.write("a.png", png_of(image));
+  for (int x = 0; x < 4; ++x) {
+    for (int c = 0; c < 3; ++c) set_sample(image, x, 2, c, 110 + 30 * (x / 3));
+  }
+  here.write("b.png", png_of(image));  // three pixels are 10 steps of grey lighter, one is 40
+  const auto diff = [&](const std::string& options) {
+    return here.run("diff a.png b.png " + options);
+  };
+  CHECK(diff("--threshold 0.04").exit_code == 1);
+  CHECK(contains(diff("--threshold 0.04").out,
+                 "a pixel is further apart than the threshold 0.04\n  and: 1 of 432 pixels differ, "
+                 "by up to 40/255, in 1 region; first (3, 2): (100, 100, 100) became (140, 140, "
+                 "140); set aside: 3 pixels below the threshold (by up to 10/255)"));
+  CHECK(diff("--threshold 0.16").exit_code == 0);
+  CHECK(diff("--threshold 0.04 --max-differing 1").exit_code == 0);
+  CHECK(diff("--threshold 0.04 --max-differing 0.2%").exit_code == 1);
+  CHECK(diff("--max-differing 4").exit_code == 0);
+  CHECK(diff("--max-differing 1%").exit_code == 0);
+  CHECK(contains(diff("--max-differing 3").out, "more than 3 of 432 pixels differ"));
+  // All tolerances must hold together.
+  CHECK(diff("--threshold 0.16 --metric absmax<0.1").exit_code == 1);
+  check_refused(diff("--threshold 1.5"), {"--threshold", "1.5", "0.1"});
+  check_refused(diff("--max-differing many"), {"--max-differing", "many", "0.1%"});
+}
+
+TEST_CASE("the suggested short options make the pictures pass") {
+  const MovedScene scene;
+  const Outcome outcome = scene.here.run("diff a.png b.png --suggest-fuzzy");
+  const std::string fuzzy = line_of(outcome.out, "  fuzzy: "),
+                    options = line_of(outcome.out, "  short: ");
+  INFO(outcome.out);
+  CHECK(fuzzy.find("maxDifference=0-") == 0);
+  const auto comma = options.find(", or ");
+  REQUIRE(comma != std::string::npos);
+  for (const std::string& one :
+       {"--fuzzy " + fuzzy, options.substr(0, comma), options.substr(comma + 5)}) {
+    INFO(one);
+    CHECK(scene.here.run("diff a.png b.png " + one).exit_code == 0);
+    CHECK(scene.here.run("diff a.png a.png " + one).exit_code == 0);
+  }
+}
+
+}  // namespace
+}  // namespace glassbox::test
