@@ -224,6 +224,22 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
                   "a picture of the same size; where it is black, pixels are not compared")
       ->type_name("FILE")
       ->group(selection);
+  add_choice(command, "--alpha", options_.alpha,
+             {{"lenient", AlphaRule::kLenient}, {"strict", AlphaRule::kStrict}},
+             "an alpha channel that is opaque everywhere: is the same as none, or is a difference "
+             "[lenient]")
+      ->group(selection);
+  add_choice(command, "--align", options_.alignment,
+             {{"top-left", Alignment::kTopLeft},
+              {"centre", Alignment::kCentre},
+              {"best", Alignment::kBest}},
+             "where pictures of different sizes lie on each other: at a corner, at their centres, "
+             "or where they differ least [top-left]")
+      ->group(selection);
+  command
+      .add_flag("--ignore-size", options_.ignore_size,
+                "pictures of different sizes pass if what both have passes")
+      ->group(selection);
 
   const auto all = command.get_options();
   comparing_.assign(all.begin() + std::ptrdiff_t(before), all.end());
@@ -385,6 +401,8 @@ void DiffCommand::print(const std::vector<Comparison>& comparisons, const Pairin
     if (directories_ && one.verdict == Verdict::kSame && more.empty()) continue;
     fmt::print("{}\n{}", comparison_line(one), more);
   }
+  const std::string alpha = opaque_alpha_text(comparisons);
+  if (!alpha.empty()) fmt::print("note: {}\n", alpha);
   for (const std::string& orphan : pairing.orphans) {
     fmt::print("note: {} belongs to no picture\n", printable(orphan, 400));
   }

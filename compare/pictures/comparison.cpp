@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/base/printable.h>
+#include <glassbox/compare/pictures/prepared_pair.h>
 #include <glassbox/compare/pictures/rules.h>
 #include <glassbox/compare/pictures/sidecar.h>
 #include <glassbox/compare/pixels/difference_text.h>
@@ -66,20 +67,52 @@ bool gates(const Tolerance& tolerance, const std::vector<MetricRequest>& metrics
          tolerance.set_aside.threshold || has_limit(metrics);
 }
 
-// The reasons and the verdict, from `differences` and `metrics`.
-void decide_verdict(Comparison& comparison, const CompareOptions& options,
-                    const PicturePair& pair) {
+// What the pictures have where both are, for pictures of different sizes.
+std::string overlap_text(const Canvas& canvas, const std::string& differences) {
+  const PixelBox overlap = canvas.overlap();
+  const std::string size = fmt::format("{} x {} pixels", overlap.width, overlap.height);
+  return differences.empty() ? fmt::format("the {} that both have are the same", size)
+                             : fmt::format("in the {} that both have, {}", size, differences);
+}
+
+// The reasons and the verdict, from `differences` and `metrics`. `mismatch` says that the sizes
+// differ; it is empty where they do not.
+void decide_verdict(Comparison& comparison, const CompareOptions& options, const PicturePair& pair,
+                    const std::vector<std::string>& mismatch) {
   const Differences& found = *comparison.differences;
   std::vector<std::string>& reasons = comparison.reasons;
   const bool gated = gates(options.tolerance, options.metrics);
   if (gated) reasons = broken_limits(options, pair, found, comparison.metrics);
   const bool allowed = gated ? reasons.empty() : found.differing == 0;
-  if (found.has_any()) reasons.push_back(differences_text(pair, found));
-  if (allowed) {
-    comparison.verdict = found.has_any() ? Verdict::kWithinTolerance : Verdict::kSame;
-  } else {
-    comparison.verdict = Verdict::kDifferent;
+  reasons.insert(reasons.end(), mismatch.begin(), mismatch.end());
+  const std::string words = found.has_any() ? differences_text(pair, found) : "";
+  if (comparison.canvas) {
+    reasons.push_back(overlap_text(*comparison.canvas, words));
+  } else if (!words.empty()) {
+    reasons.push_back(words);
   }
+  if (!allowed || (comparison.canvas && !options.ignore_size)) {
+    comparison.verdict = Verdict::kDifferent;
+  } else {
+    const bool same = !found.has_any() && !comparison.canvas;
+    comparison.verdict = same ? Verdict::kSame : Verdict::kWithinTolerance;
+  }
+}
+
+// A sentence about where pictures of different sizes lie; empty if their top left corners lie on
+// each other.
+std::string place_text(const Canvas& canvas) {
+  const int x = canvas.test.x - canvas.reference.x, y = canvas.test.y - canvas.reference.y;
+  if (x == 0 && y == 0) return {};
+  std::string text =
+      fmt::format("the test's top left corner lies on the reference's pixel ({}, {})", x, y);
+  if (canvas.reference.x > 0 || canvas.reference.y > 0) {
+    text += fmt::format(
+        "; positions are counted on a canvas on which the reference begins at ({}, {}), the test "
+        "at ({}, {})",
+        canvas.reference.x, canvas.reference.y, canvas.test.x, canvas.test.y);
+  }
+  return text;
 }
 
 // Options that would let the pictures pass.
@@ -118,7 +151,11 @@ void consult_recipes(Comparison& comparison, const CompareOptions& options) {
                                ", the test by " + test->version);
   }
   if (options.inspect_command && comparison.differences && comparison.differences->differing > 0) {
-    comparison.inspect_command = options.inspect_command(*test, comparison.differences->first);
+    PixelPosition pixel = comparison.differences->first;
+    if (comparison.canvas) {
+      pixel = {pixel.x - comparison.canvas->test.x, pixel.y - comparison.canvas->test.y};
+    }
+    comparison.inspect_command = options.inspect_command(*test, pixel);
   }
 }
 
@@ -194,17 +231,18 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
 
   const auto sidecar = find_sidecar(reference_path);
   if (!sidecar) return uncompared(std::move(comparison), sidecar.error());
-  const auto reference_file = read_stored_file(reference_path);
+  auto reference_file = read_stored_file(reference_path);
   if (!reference_file) return uncompared(std::move(comparison), reference_file.error());
-  const StoredImage& reference = reference_file->image;
-  comparison.reference = facts(reference_path, reference);
-  const auto test_file = read_stored_file(test_path);
+  comparison.reference = facts(reference_path, reference_file->image);
+  auto test_file = read_stored_file(test_path);
   if (!test_file) return uncompared(std::move(comparison), test_file.error());
-  const StoredImage& test = test_file->image;
-  comparison.test = facts(test_path, test);
+  comparison.test = facts(test_path, test_file->image);
 
-  comparison.reasons = explain_format_mismatch(reference, test);
-  if (!comparison.reasons.empty()) {
+  const PreparedPair prepared =
+      prepare_pair(std::move(reference_file->image), std::move(test_file->image), options);
+  comparison.opaque_alpha = prepared.opaque_alpha;
+  if (!prepared.is_comparable()) {
+    comparison.reasons = prepared.mismatch;
     comparison.verdict = Verdict::kDifferent;
     consult_recipes(comparison, options);
     consider_rest(comparison, *reference_file, *test_file);
@@ -212,20 +250,22 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   }
   ComparisonRules rules = combine_rules(options, *sidecar, comparison.notes);
   // max_ulp applies to floats only.
-  if (!is_float(reference)) rules.options.tolerance.max_ulp.reset();
+  if (!is_float(prepared.reference)) rules.options.tolerance.max_ulp.reset();
   comparison.tolerance = tolerance_text(rules.options);
   comparison.tolerance_reason = rules.reason;
   comparison.ignore = rules.options.ignore;
   comparison.mask = rules.options.mask;
   comparison.nan_equals_nan = options.nan_equals_nan;
+  comparison.canvas = prepared.canvas;
   comparison.set_aside = rules.options.tolerance.set_aside;
-  const auto selection = selection_of(reference, comparison.ignore, comparison.mask);
+  const auto selection = selection_of(prepared, comparison);
   if (!selection) return uncompared(std::move(comparison), selection.error());
 
-  const PicturePair pair{reference, test, *selection, options.nan_equals_nan, comparison.set_aside};
+  const PicturePair pair{prepared.reference, prepared.test, *selection, options.nan_equals_nan,
+                         comparison.set_aside};
   comparison.differences = find_differences(pair);
   comparison.metrics = measure_metrics(pair, rules.options.metrics);
-  decide_verdict(comparison, rules.options, pair);
+  decide_verdict(comparison, rules.options, pair, prepared.mismatch);
   if (comparison.differences->differing > 0) {
     comparison.hints = explain_differences(pair, *comparison.differences);
   }
@@ -233,6 +273,8 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
     const std::string note = stale_tolerance_text(rules, *comparison.differences);
     if (!note.empty()) comparison.notes.push_back(note);
   }
+  const std::string place = prepared.canvas ? place_text(*prepared.canvas) : "";
+  if (!place.empty()) comparison.notes.push_back(place);
   if (options.suggest_tolerance) {
     comparison.suggestions = suggestions_for(pair, *comparison.differences);
   }

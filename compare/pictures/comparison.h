@@ -10,6 +10,7 @@
 #include <glassbox/base/error.h>
 #include <glassbox/compare/metrics/metric.h>
 #include <glassbox/compare/pictures/pairing.h>
+#include <glassbox/compare/pixels/canvas.h>
 #include <glassbox/compare/pixels/differences.h>
 #include <glassbox/compare/pixels/selection.h>
 #include <glassbox/compare/pixels/tolerance.h>
@@ -30,12 +31,24 @@ inline bool passes(Verdict verdict) {
   return verdict == Verdict::kSame || verdict == Verdict::kWithinTolerance;
 }
 
+enum class AlphaRule : std::uint8_t {
+  kLenient,  // a picture whose alpha is opaque everywhere is the same as one without alpha
+  kStrict,   // it is another kind of picture
+};
+
+// Which of two pictures has an alpha channel that is opaque everywhere, and that the other one does
+// not have. It is not compared.
+enum class OpaqueAlpha : std::uint8_t { kNone, kReference, kTest };
+
 struct CompareOptions {
   Tolerance tolerance;
   std::vector<MetricRequest> metrics;
   std::vector<PixelBox> ignore;
   std::string mask;  // file; empty: none
   bool nan_equals_nan = false;
+  AlphaRule alpha = AlphaRule::kLenient;
+  Alignment alignment = Alignment::kTopLeft;  // of pictures whose sizes differ
+  bool ignore_size = false;        // pictures of different sizes pass if their overlap does
   bool suggest_tolerance = false;  // fill in Comparison::suggestions
   // Returns the command that shows how a pixel of a picture made by this recipe was computed; empty
   // where there is none.
@@ -56,8 +69,11 @@ struct Comparison {
   PictureFacts reference, test;
   Verdict verdict = Verdict::kSame;
   std::optional<Error> error;              // for kNew, kMissing and kUncompared
-  std::optional<Differences> differences;  // none where sizes, channels or formats differ
-  SetAside set_aside;                      // what was not counted as a difference
+  std::optional<Differences> differences;  // none where channels or formats differ
+  // Where the pictures lie if their sizes differ. Positions of differences are counted on it.
+  std::optional<Canvas> canvas;
+  OpaqueAlpha opaque_alpha = OpaqueAlpha::kNone;
+  SetAside set_aside;  // what was not counted as a difference
   std::vector<MetricValue> metrics;
   // The reasons why the pictures are not the same, or too different: sentences, the decisive one
   // first.
@@ -75,7 +91,8 @@ struct Comparison {
   bool nan_equals_nan = false;
 };
 
-// Reads both files and compares them. The sidecar of the reference adds its boxes and its mask; its
+// Reads both files and compares them. Pictures of different sizes are compared where both are, and
+// are different, unless options.ignore_size is set. The sidecar of the reference adds its boxes and its mask; its
 // tolerance is used if the options have none (otherwise the options' tolerance is used, and a note
 // says so). Pictures pass if they are the same, or if a fuzzy annotation, a number of ulps or
 // limits on metrics are given and all of them hold. If the pictures cannot be compared, the reason

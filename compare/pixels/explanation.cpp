@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <glassbox/base/counted.h>
+#include <glassbox/compare/pixels/alpha.h>
 #include <glassbox/images/srgb.h>
 
 namespace glassbox {
@@ -36,7 +37,7 @@ bool has_colour(const StoredImage& image) {
   return image.channels >= 3;
 }
 bool is_alpha(int channel, int channels) {
-  return channels % 2 == 0 && channel == channels - 1;
+  return has_alpha(channels) && channel == channels - 1;
 }
 
 // The samples of row y; pixel x starts at channels * x.
@@ -308,20 +309,6 @@ std::string size_of(const StoredImage& image) {
   return fmt::format("{} x {}", image.width, image.height);
 }
 
-bool opaque(const StoredImage& image) {
-  return std::visit(
-      [&](const auto& samples) {
-        using Sample = typename std::decay_t<decltype(samples)>::value_type;
-        const auto step = std::size_t(image.channels);
-        const Sample full = std::is_integral_v<Sample> ? std::numeric_limits<Sample>::max() : 1;
-        for (std::size_t i = step - 1; i < samples.size(); i += step) {
-          if (samples[i] != full) return false;
-        }
-        return true;
-      },
-      image.samples);
-}
-
 }  // namespace
 
 std::vector<std::string> explain_differences(const PicturePair& pair,
@@ -353,7 +340,7 @@ std::vector<std::string> explain_format_mismatch(const StoredImage& reference,
                                     channel_names(test)));
     const StoredImage& more = reference.channels > test.channels ? reference : test;
     if (std::abs(reference.channels - test.channels) == 1 && more.channels % 2 == 0 &&
-        opaque(more)) {
+        is_opaque(more)) {
       sentences.push_back("the alpha channel is opaque everywhere");
     }
   }

@@ -36,6 +36,12 @@ bool is_black(const StoredImage& mask, std::size_t pixel) {
 
 }  // namespace
 
+PixelBox intersection(const PixelBox& a, const PixelBox& b) {
+  const int left = std::max(a.x, b.x), top = std::max(a.y, b.y);
+  return {left, top, std::min(a.x + a.width, b.x + b.width) - left,
+          std::min(a.y + a.height, b.y + b.height) - top};
+}
+
 Result<PixelBox> parse_pixel_box(const std::string& text) {
   std::string_view rest = text;
   PixelBox box;

@@ -19,6 +19,9 @@ struct PixelBox {
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
+// The pixels that both boxes have; a width or a height that is not above 0 if there are none.
+PixelBox intersection(const PixelBox& a, const PixelBox& b);
+
 // Parses "x,y,wxh", with the origin at the top left: four whole numbers, the size above zero.
 Result<PixelBox> parse_pixel_box(const std::string& text);
 std::string to_string(const PixelBox& box);
@@ -31,6 +34,8 @@ public:
   // Leaves out the pixels of the box. An error where the box is wholly outside the picture, because
   // that must be a mistake.
   Result<void> exclude(const PixelBox& box);
+  // Leaves out a pixel of the picture.
+  void exclude(int x, int y) { exclude(index(x, y)); }
   // Leaves out the pixels that are black in `mask`: every colour sample is 0 (alpha is ignored). An
   // error where its size is not the picture's.
   Result<void> exclude_black(const StoredImage& mask);

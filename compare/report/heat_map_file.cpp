@@ -1,7 +1,7 @@
 #include <glassbox/compare/report/heat_map_file.h>
 
 #include <glassbox/compare/metrics/flip.h>
-#include <glassbox/compare/pixels/explanation.h>
+#include <glassbox/compare/pictures/prepared_pair.h>
 #include <glassbox/compare/pixels/heat_map.h>
 #include <glassbox/images/write.h>
 
@@ -10,21 +10,16 @@ namespace glassbox {
 Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatMapKind of) {
   if (!comparison.differences) {
     return fail(comparison.name, "the two pictures cannot be compared pixel by pixel",
-                "give both the same size, channels and format");
+                "give both the same channels and format");
   }
-  const auto reference = read_stored(comparison.reference.path);
-  if (!reference) return tl::unexpected(reference.error());
-  const auto test = read_stored(comparison.test.path);
-  if (!test) return tl::unexpected(test.error());
-  if (!explain_format_mismatch(*reference, *test).empty()) {
-    return fail(comparison.name, "a file has changed since it was compared", "compare again");
-  }
-  const auto selection = selection_of(*reference, comparison.ignore, comparison.mask);
+  const auto prepared = prepare_again(comparison);
+  if (!prepared) return tl::unexpected(prepared.error());
+  const auto selection = selection_of(*prepared, comparison);
   if (!selection) return tl::unexpected(selection.error());
-  const PicturePair pair{*reference, *test, *selection, comparison.nan_equals_nan,
+  const PicturePair pair{prepared->reference, prepared->test, *selection, comparison.nan_equals_nan,
                          comparison.set_aside};
   if (of == HeatMapKind::kSteps) return heat_map(pair);
-  if (std::holds_alternative<std::vector<float>>(reference->samples)) {
+  if (std::holds_alternative<std::vector<float>>(pair.reference.samples)) {
     return fail(comparison.name, "FLIP is not defined for pictures of floats",
                 "leave --heat flip out");
   }

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <glassbox/compare/report/text.h>
+
 namespace glassbox {
 namespace {
 
@@ -25,6 +27,14 @@ Json point(PixelPosition pixel) {
 
 Json box(const PixelBox& box) {
   return {{"x", box.x}, {"y", box.y}, {"width", box.width}, {"height", box.height}};
+}
+
+Json canvas(const Canvas& canvas) {
+  return {{"width", canvas.width},
+          {"height", canvas.height},
+          {"reference", box(canvas.reference)},
+          {"test", box(canvas.test)},
+          {"overlap", box(canvas.overlap())}};
 }
 
 Json picture(const PictureFacts& facts) {
@@ -105,6 +115,7 @@ Json to_json(const Comparison& comparison) {
   if (comparison.differences) {
     json["differences"] = differences(*comparison.differences, comparison.set_aside);
   }
+  if (comparison.canvas) json["canvas"] = canvas(*comparison.canvas);
   for (const MetricValue& one : comparison.metrics) json["metrics"].push_back(metric(one));
   for (const PixelBox& one : comparison.ignore) json["ignore"].push_back(box(one));
   add_word(json, "mask", comparison.mask);
@@ -112,7 +123,10 @@ Json to_json(const Comparison& comparison) {
   add_word(json, "tolerance_reason", comparison.tolerance_reason);
   add_words(json, "reasons", comparison.reasons);
   add_words(json, "hints", comparison.hints);
-  add_words(json, "notes", comparison.notes);
+  std::vector<std::string> notes = comparison.notes;
+  const std::string alpha = opaque_alpha_text(std::span(&comparison, 1));
+  if (!alpha.empty()) notes.push_back(alpha);
+  add_words(json, "notes", notes);
   add_words(json, "suggestions", comparison.suggestions);
   add_word(json, "inspect_command", comparison.inspect_command);
   return json;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <glassbox/compare/pictures/prepared_pair.h>
 #include <glassbox/compare/pixels/heat_map.h>
 #include <glassbox/compare/report/json.h>
 #include <glassbox/compare/report/page_blob.h>
@@ -49,12 +50,11 @@ std::optional<StoredImage> read_again(const PictureFacts& facts) {
 
 // Returns the levels of the heat map as a picture; nothing where other pixels differ than at the
 // time of the comparison.
-std::optional<StoredImage> heat_of(const Comparison& comparison, const StoredImage& reference,
-                                   const StoredImage& test) {
-  const auto selection = selection_of(reference, comparison.ignore, comparison.mask);
+std::optional<StoredImage> heat_of(const Comparison& comparison, const PreparedPair& pair) {
+  const auto selection = selection_of(pair, comparison);
   if (!selection) return {};
-  auto levels =
-      heat_map({reference, test, *selection, comparison.nan_equals_nan, comparison.set_aside});
+  auto levels = heat_map(
+      {pair.reference, pair.test, *selection, comparison.nan_equals_nan, comparison.set_aside});
   const auto differing = std::count_if(levels.pixels.begin(), levels.pixels.end(), is_heat);
   if (std::uint64_t(differing) != comparison.differences->differing) return {};
   return StoredImage{levels.width, levels.height, 1,
@@ -64,19 +64,29 @@ std::optional<StoredImage> heat_of(const Comparison& comparison, const StoredIma
 // Returns the pictures of a comparison; nothing where the files have changed since then, because
 // its numbers would be those of other pictures.
 std::vector<Picture> pictures_of(const Comparison& comparison) {
+  std::vector<Picture> pictures;
+  if (comparison.differences) {
+    auto pair = prepare_again(comparison);
+    auto heat = pair ? heat_of(comparison, *pair) : std::nullopt;
+    if (!heat) return {};
+    pictures.push_back({"reference", std::move(pair->reference)});
+    pictures.push_back({"test", std::move(pair->test)});
+    pictures.push_back({"heat", std::move(*heat)});
+    return pictures;
+  }
   auto reference = read_again(comparison.reference);
   auto test = read_again(comparison.test);
   if (!comparison.error && (!reference || !test)) return {};
-  std::optional<StoredImage> heat;
-  if (comparison.differences && reference && test) {
-    heat = heat_of(comparison, *reference, *test);
-    if (!heat) return {};
-  }
-  std::vector<Picture> pictures;
   if (reference) pictures.push_back({"reference", std::move(*reference)});
   if (test) pictures.push_back({"test", std::move(*test)});
-  if (heat) pictures.push_back({"heat", std::move(*heat)});
   return pictures;
+}
+
+// Where a picture lies if its pair is on a canvas; the heat map fills it.
+std::optional<PixelBox> place_of(const Comparison& comparison, const Picture& picture) {
+  if (!comparison.canvas || picture.name == std::string_view("heat")) return {};
+  return picture.name == std::string_view("test") ? comparison.canvas->test
+                                                  : comparison.canvas->reference;
 }
 
 // The comparisons sorted with the worst first, otherwise in the given order.
@@ -88,9 +98,11 @@ std::vector<const Comparison*> worst_first(std::span<const Comparison> compariso
                                    Verdict::kNew,        Verdict::kMissing,
                                    Verdict::kUncompared, Verdict::kDifferent};
     const auto verdict = std::find(kVerdicts.begin(), kVerdicts.end(), one->verdict);
-    // Pictures of different sizes have no differences to count: they are the worst.
-    const auto steps = one->differences ? one->differences->largest : kUnbounded;
-    const auto pixels = one->differences ? one->differences->differing : ~std::uint64_t(0);
+    // Pictures of different kinds have no differences to count: they are the worst. So are those
+    // of different sizes.
+    const bool counted = one->differences && !one->canvas;
+    const auto steps = counted ? one->differences->largest : kUnbounded;
+    const auto pixels = counted ? one->differences->differing : ~std::uint64_t(0);
     return std::tuple(verdict - kVerdicts.begin(), steps, pixels);
   };
   std::stable_sort(order.begin(), order.end(), [&](const Comparison* a, const Comparison* b) {
@@ -126,13 +138,16 @@ public:
     }
     std::uint64_t bytes = 0;
     for (const Picture& picture : pictures)
-      bytes += bytes_in(picture.image, crops(comparison, picture.image));
+      bytes += bytes_in(picture.image, crops(comparison, picture));
     if (bytes > left_) return leave_out(comparison, pair);
     left_ -= bytes;
-    for (const auto& [name, image] : pictures) {
-      auto added = add_picture(image, crops(comparison, image));
+    for (const Picture& picture : pictures) {
+      auto added = add_picture(picture.image, crops(comparison, picture));
       if (!added) return tl::unexpected(added.error());
-      pair["pictures"][name] = std::move(*added);
+      if (const auto place = place_of(comparison, picture)) {
+        (*added)["place"] = {place->x, place->y, place->width, place->height};
+      }
+      pair["pictures"][picture.name] = std::move(*added);
     }
     return {};
   }
@@ -140,9 +155,15 @@ public:
   const std::string& blobs() const { return blobs_; }
 
 private:
-  std::vector<PixelBox> crops(const Comparison& comparison, const StoredImage& image) const {
+  // What the page has of a picture: on a canvas only where the picture is.
+  std::vector<PixelBox> crops(const Comparison& comparison, const Picture& picture) const {
     const Differences* differences = comparison.differences ? &*comparison.differences : nullptr;
-    return crops_of(image.width, image.height, differences, options_.crops);
+    auto boxes = crops_of(picture.image.width, picture.image.height, differences, options_.crops);
+    const auto place = place_of(comparison, picture);
+    if (!place) return boxes;
+    for (PixelBox& box : boxes) box = intersection(box, *place);
+    std::erase_if(boxes, [](const PixelBox& box) { return box.width <= 0 || box.height <= 0; });
+    return boxes;
   }
 
   // A lower bound of the pictures' size in bytes, known before they are read: one byte per pixel
@@ -175,7 +196,8 @@ private:
               {"height", image.height},
               {"channels", image.channels},
               {"type", type_name(image)},
-              {"blob", id}};
+              {"blob", id},
+              {"tiles", Json::array()}};
     for (const auto& [x, y, width, height] : tiles) json["tiles"].push_back({x, y, width, height});
     return json;
   }

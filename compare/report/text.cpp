@@ -62,6 +62,22 @@ std::string comparison_details(const Comparison& comparison) {
   return text;
 }
 
+std::string opaque_alpha_text(std::span<const Comparison> comparisons) {
+  const auto has = [](const Comparison& one) { return one.opaque_alpha != OpaqueAlpha::kNone; };
+  const auto count = std::count_if(comparisons.begin(), comparisons.end(), has);
+  if (count == 0) return {};
+  const Comparison& first = *std::find_if(comparisons.begin(), comparisons.end(), has);
+  const bool is_test = first.opaque_alpha == OpaqueAlpha::kTest;
+  const std::string who =
+      comparisons.size() == 1
+          ? fmt::format("the {}", is_test ? "test" : "reference")
+          : fmt::format("one picture of {}", counted(std::size_t(count), "pair"));
+  return fmt::format(
+      "{} has an alpha channel that is opaque everywhere, and the other picture has none: this is "
+      "no difference (--alpha strict makes it one)",
+      who);
+}
+
 std::string summary_line(std::span<const Comparison> comparisons) {
   constexpr std::array kVerdicts{Verdict::kSame,      Verdict::kWithinTolerance,
                                  Verdict::kDifferent, Verdict::kMissing,

@@ -18,6 +18,10 @@ std::string comparison_line(const Comparison& comparison);
 // command that inspects the first differing pixel. Empty for pictures that pass without any of these.
 std::string comparison_details(const Comparison& comparison);
 
+// A sentence that says how many pictures have an opaque alpha channel that their partner does not
+// have; empty if there are none.
+std::string opaque_alpha_text(std::span<const Comparison> comparisons);
+
 // A line such as "57 pictures: 55 same, 1 within tolerance, 1 different".
 std::string summary_line(std::span<const Comparison> comparisons);
 

@@ -1,5 +1,5 @@
-// Tests the options of glassbox diff that other tools have, too: thresholds, shares of pixels and
-// moved edges.
+// Tests the options of glassbox diff that other tools have, too: thresholds, shares of pixels, moved
+// edges, opaque alpha and pictures of different sizes.
 #include "tests/support/catch.h"
 
 #include <filesystem>
@@ -88,6 +88,8 @@ TEST_CASE("thresholds and numbers of pixels decide, and what they cannot be is r
   CHECK(diff("--threshold 0.16 --metric absmax<0.1").exit_code == 1);
   check_refused(diff("--threshold 1.5"), {"--threshold", "1.5", "0.1"});
   check_refused(diff("--max-differing many"), {"--max-differing", "many", "0.1%"});
+  check_refused(diff("--alpha maybe"), {"--alpha", "lenient|strict"});
+  check_refused(diff("--align left"), {"--align", "top-left|centre|best"});
 }
 
 TEST_CASE("the suggested short options make the pictures pass") {
@@ -105,6 +107,60 @@ TEST_CASE("the suggested short options make the pictures pass") {
     CHECK(scene.here.run("diff a.png b.png " + one).exit_code == 0);
     CHECK(scene.here.run("diff a.png a.png " + one).exit_code == 0);
   }
+}
+
+TEST_CASE("pictures of different sizes are compared, shown, and different unless asked otherwise") {
+  const WorkingDirectory here;
+  REQUIRE(here.run("render cube --size 60x40 -o large.png").exit_code == 0);
+  const StoredImage large = value_of(read_stored(here.file("large.png")));
+  StoredImage small = blank(50, 30, 3, Format::kBytes);
+  for (int y = 0; y < 30; ++y) {
+    for (int x = 0; x < 50; ++x) {
+      for (int c = 0; c < 3; ++c) set_sample(small, x, y, c, sample_at(large, x + 6, y + 7, c));
+    }
+  }
+  here.write("small.png", png_of(small));
+  const Outcome corner = here.run("diff large.png small.png");
+  CHECK(corner.exit_code == 1);
+  CHECK(contains(corner.out,
+                 "different: the reference has 60 x 40 pixels, the test 50 x 30\n"
+                 "  and: in the 50 x 30 pixels that both have, "));
+  const Outcome best =
+      here.run("diff large.png small.png --align best -o heat.png --html page.html --json r.json");
+  CHECK(best.exit_code == 1);
+  CHECK(contains(best.out, "the 50 x 30 pixels that both have are the same"));
+  CHECK(contains(best.out, "lies on the reference's pixel (6, 7)"));
+  const auto heat = value_of(read_image(here.file("heat.png")));
+  CHECK(heat.width == 60);
+  CHECK(heat.height == 40);
+  CHECK(std::count(heat.pixels.begin(), heat.pixels.end(), heat_colours()[kHeatNotCompared]) ==
+        60 * 40 - 50 * 30);
+  const Json canvas = Json::parse(here.read("r.json"))["pictures"][0]["canvas"];
+  CHECK(canvas["test"] == Json({{"x", 6}, {"y", 7}, {"width", 50}, {"height", 30}}));
+  CHECK(here.run("diff large.png small.png --align best --ignore-size").exit_code == 0);
+  CHECK(here.run("diff large.png small.png --ignore-size").exit_code == 1);
+}
+
+TEST_CASE("in directories, opaque alpha channels are said once") {
+  const WorkingDirectory here;
+  for (const char* folder : {"old", "new"}) std::filesystem::create_directory(here.file(folder));
+  StoredImage rgb = sample_picture({"", "", 3, Format::kBytes, {}});
+  StoredImage rgba = blank(rgb.width, rgb.height, 4, Format::kBytes);
+  for (int y = 0; y < rgb.height; ++y) {
+    for (int x = 0; x < rgb.width; ++x) {
+      set_sample(rgba, x, y, 3, 255);
+      for (int c = 0; c < 3; ++c) set_sample(rgba, x, y, c, sample_at(rgb, x, y, c));
+    }
+  }
+  for (const char* name : {"a.png", "b.png", "c.png"}) {
+    here.write(std::string("old/") + name, png_of(rgb));
+    here.write(std::string("new/") + name, png_of(rgba));
+  }
+  const Outcome outcome = here.run("diff old new");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.out.find("note: one picture of 3 pairs has an alpha channel that is opaque") == 0);
+  CHECK(contains(outcome.out, "3 pictures: 3 same"));
+  CHECK(here.run("diff old new --alpha strict").exit_code == 1);
 }
 
 }  // namespace

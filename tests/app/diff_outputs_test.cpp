@@ -59,7 +59,7 @@ TEST_CASE("the heat map is a picture of the levels, as large as the pictures") {
 
 TEST_CASE("where there is nothing to show there is no heat map, and a note") {
   const TwoPictures two;
-  two.here.write("c.png", png_of(sample_picture({"", "", 3, Format::kBytes, {}}, 25, 18)));
+  two.here.write("c.png", png_of(sample_picture({"", "", 1, Format::kBytes, {}}, 24, 18)));
   const Outcome outcome = two.here.run("diff a.png c.png -o heat.png");
   CHECK(outcome.exit_code == 1);
   CHECK(contains(outcome.err, "no heat map"));

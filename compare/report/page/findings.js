@@ -42,9 +42,9 @@ function pairButton(pair, index) {
   return button;
 }
 
-function shortFinding({differences, verdict, error}) {
+function shortFinding({differences, verdict, error, canvas}) {
   if (!differences) return verdict === "different" ? "another kind of picture" : error.cause;
-  return `${count(differences.differing_pixels, "pixel")}, largest ${largestText(differences)}`;
+  return `${canvas ? "another size; " : ""}${count(differences.differing_pixels, "pixel")}, largest ${largestText(differences)}`;
 }
 
 const errorText = ({file, place, cause, remedy}) =>

@@ -40,7 +40,7 @@ async function decodePair(facts) {
     reference, test, heat, pictures,
     width: Math.max(0, ...pictures.map((picture) => picture.width)),
     height: Math.max(0, ...pictures.map((picture) => picture.height)),
-    tiled: pictures.some(({tiles, width}) => tiles.length !== 1 || tiles[0].width < width),
+    tiled: pictures.some(({tiles, width, place}) => tiles.length !== 1 || tiles[0].width < (place?.[2] ?? width)),
     range: pictures[0]?.type === "f32" ? finiteRange(pictures) : {low: 0, high: 1},
     regions: facts.differences?.regions ?? [],
   };

@@ -1,0 +1,37 @@
+// Two pictures made comparable: without alpha where only one has it and it is opaque, and on one
+// canvas where their sizes differ.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glassbox/base/error.h>
+#include <glassbox/compare/pictures/comparison.h>
+#include <glassbox/compare/pixels/canvas.h>
+#include <glassbox/images/stored_image.h>
+
+namespace glassbox {
+
+struct PreparedPair {
+  StoredImage reference, test;
+  OpaqueAlpha opaque_alpha = OpaqueAlpha::kNone;
+  std::optional<Canvas> canvas;  // none where the sizes are the same
+  // Sentences about different sizes, channels or formats, from explain_format_mismatch.
+  std::vector<std::string> mismatch;
+  // Whether the pictures have the same size, channels and format.
+  bool is_comparable() const;
+};
+
+// Makes the pictures comparable, if it can: not if they differ in more than an opaque alpha and
+// their sizes, and not if the canvas would be too large.
+PreparedPair prepare_pair(StoredImage reference, StoredImage test, const CompareOptions& options);
+
+// Reads the two pictures of a comparison again, and prepares them as it did. An error if a file
+// cannot be read, or is not the picture that was compared.
+Result<PreparedPair> prepare_again(const Comparison& comparison);
+
+// The pixels of the prepared pair that a comparison used.
+Result<Selection> selection_of(const PreparedPair& pair, const Comparison& comparison);
+
+}  // namespace glassbox
