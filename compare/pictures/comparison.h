@@ -92,12 +92,12 @@ struct Comparison {
 };
 
 // Reads both files and compares them. Pictures of different sizes are compared where both are, and
-// are different, unless options.ignore_size is set. The sidecar of the reference adds its boxes and its mask; its
-// tolerance is used if the options have none (otherwise the options' tolerance is used, and a note
-// says so). Pictures pass if they are the same, or if a fuzzy annotation, a number of ulps or
-// limits on metrics are given and all of them hold. If the pictures cannot be compared, the reason
-// is in `error`. The first frames of animations are compared; they pass only if the bytes of the
-// other frames are the same.
+// are different, unless options.ignore_size is set. The sidecar of the reference adds its boxes and
+// its mask; its tolerance is used if the options have none (otherwise the options' tolerance is
+// used, and a note says so). Pictures pass if they are the same, or if a fuzzy annotation, a number
+// of ulps or limits on metrics are given and all of them hold. If the pictures cannot be compared,
+// the reason is in `error`. The first frames of animations are compared; they pass only if the
+// bytes of the other frames are the same.
 Comparison compare_files(const std::string& reference, const std::string& test,
                          const CompareOptions& options = {});
 

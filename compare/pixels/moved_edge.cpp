@@ -70,8 +70,8 @@ bool load_pixel(const Sample* pixel, int channels, int x, int y, std::array<Patc
   return finite;
 }
 
-// Loads the pixels with a distance of (inner, outer] from the pixel; beyond the picture's border the
-// nearest pixels are repeated. Returns whether all values are finite.
+// Loads the pixels with a distance of (inner, outer] from the pixel; beyond the picture's border
+// the nearest pixels are repeated. Returns whether all values are finite.
 template <class Sample>
 bool load_ring(const PicturePair& pair, const std::vector<Sample>& reference, PixelPosition pixel,
                int inner, int outer, Surroundings& around) {

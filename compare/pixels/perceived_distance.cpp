@@ -57,7 +57,8 @@ double perceived_distance(const PicturePair& pair, PixelPosition pixel) {
           return std::numeric_limits<double>::infinity();
         } else {
           const CodedColour a = coded_colour(samples.data() + first, channels);
-          const CodedColour b = coded_colour(std::get<Samples>(pair.test.samples).data() + first, channels);
+          const CodedColour b =
+              coded_colour(std::get<Samples>(pair.test.samples).data() + first, channels);
           const double square = std::max(squared_distance(over(a, 0), over(b, 0)),
                                          squared_distance(over(a, 255), over(b, 255)));
           return std::sqrt(square / kLargestSquare);

@@ -1,14 +1,14 @@
-// How far apart two colours look: the distance that odiff, reg-cli, Playwright and pixelmatch (up to
-// its version 7) use for their thresholds.
+// How far apart two colours look: the distance that odiff, reg-cli, Playwright and pixelmatch (up
+// to its version 7) use for their thresholds.
 #pragma once
 
 #include <glassbox/compare/pixels/differences.h>
 
 namespace glassbox {
 
-// The distance of a pixel's two colours: 0 for the same colour, 0.966 for black and white, and 1 for
-// the two opaque colours that are farthest apart. The samples (0 to 255, as they are stored) are transformed to YIQ, and the
-// distance is
+// The distance of a pixel's two colours: 0 for the same colour, 0.966 for black and white, and 1
+// for the two opaque colours that are farthest apart. The samples (0 to 255, as they are stored)
+// are transformed to YIQ, and the distance is
 //
 //     sqrt((0.5053 dY^2 + 0.299 dI^2 + 0.1957 dQ^2) / 35215)
 //

@@ -15,7 +15,8 @@ std::string verdict_name(Verdict verdict);
 std::string comparison_line(const Comparison& comparison);
 
 // Returns further lines, each indented: more reasons, hints, notes, metrics, suggestions, and the
-// command that inspects the first differing pixel. Empty for pictures that pass without any of these.
+// command that inspects the first differing pixel. Empty for pictures that pass without any of
+// these.
 std::string comparison_details(const Comparison& comparison);
 
 // A sentence that says how many pictures have an opaque alpha channel that their partner does not

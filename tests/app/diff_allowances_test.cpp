@@ -1,5 +1,5 @@
-// Tests the options of glassbox diff that other tools have, too: thresholds, shares of pixels, moved
-// edges, opaque alpha and pictures of different sizes.
+// Tests the options of glassbox diff that other tools have, too: thresholds, shares of pixels,
+// moved edges, opaque alpha and pictures of different sizes.
 #include "tests/support/catch.h"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Tests the short forms of tolerances: thresholds, numbers and shares of pixels, and moved edges; as
-// text, in sidecars, and in verdicts.
+// Tests the short forms of tolerances: thresholds, numbers and shares of pixels, and moved edges;
+// as text, in sidecars, and in verdicts.
 #include "tests/support/catch.h"
 
 #include <string>

@@ -201,8 +201,8 @@ TEST_CASE("no pixel near NaN or an infinity is a moved edge") {
   }
 }
 
-// Writes the pictures that tests/peers compares: NAME-reference.png, NAME-test.png, and NAME.txt with
-// the pixels that changed, one "x y kind" a line.
+// Writes the pictures that tests/peers compares: NAME-reference.png, NAME-test.png, and NAME.txt
+// with the pixels that changed, one "x y kind" a line.
 TEST_CASE("the pictures for other tools", "[.][corpus]") {
   const char* folder = std::getenv("CORPUS");
   REQUIRE(folder != nullptr);

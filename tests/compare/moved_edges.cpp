@@ -69,8 +69,8 @@ Line arc(Point centre, double radius, double from_degrees, double to_degrees) {
   return line;
 }
 
-// Glyphs that look like o e c n t x l i v b z . A; y is down from 0 at the x-height to 1 at the base
-// line.
+// Glyphs that look like o e c n t x l i v b z . A; y is down from 0 at the x-height to 1 at the
+// base line.
 const std::vector<Glyph>& glyphs() {
   static const std::vector<Glyph> all{
       {arc({.45, .5}, .45, 0, 360)},
@@ -171,9 +171,9 @@ double coverage(const Figure& figure, int x, int y, Point shift) {
 }
 
 // Colours during drawing: codes of sRGB in [0, 1], or linear light.
-class Canvas01 {
+class Painting {
 public:
-  Canvas01(const Look& look, int width, int height)
+  Painting(const Look& look, int width, int height)
       : linear_(look.linear), width_(width), values_(std::size_t(width * height)) {
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
@@ -230,9 +230,9 @@ private:
 
 StoredImage drawn(const Look& look, const std::vector<Figure>& figures, Point shift, int width,
                   int height) {
-  Canvas01 canvas(look, width, height);
-  for (const Figure& figure : figures) canvas.draw(figure, shift);
-  return canvas.stored();
+  Painting painting(look, width, height);
+  for (const Figure& figure : figures) painting.draw(figure, shift);
+  return painting.stored();
 }
 
 std::uint8_t* pixel_of(StoredImage& image, int x, int y) {

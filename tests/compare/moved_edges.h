@@ -1,5 +1,5 @@
-// Pairs of pictures in which edges moved by a part of a pixel, with pixels that really changed among
-// them, and which these are.
+// Pairs of pictures in which edges moved by a part of a pixel, with pixels that really changed
+// among them, and which these are.
 #pragma once
 
 #include <cstdint>

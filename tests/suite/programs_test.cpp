@@ -106,7 +106,8 @@ fs::path found_in_path(const std::string& program) {
 
 bool may_use_everything(const std::string& file) {
   return file == "tests/run.sh" || file.starts_with("tests/arm64/") ||
-         file.starts_with("tests/browser/") || file.starts_with("tests/chroots/");
+         file.starts_with("tests/browser/") || file.starts_with("tests/chroots/") ||
+         file.starts_with("tests/peers/");
 }
 
 // Returns what is wrong with the file's use of a program, or an empty text. A word that is neither
