@@ -24,6 +24,7 @@ needs(Boost 1.74 CONFIG)
 find_package(TBB REQUIRED)
 needs(TinyGLTF 2.7 CONFIG)
 find_package(PkgConfig REQUIRED)
+pkg_check_modules(libdeflate REQUIRED IMPORTED_TARGET libdeflate)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
 # Highway enables the AES instructions of NEON with a pragma. g++ does not apply the pragma to the

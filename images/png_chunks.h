@@ -10,6 +10,10 @@
 
 namespace glassbox {
 
+// The largest ratio of deflate: it spends at least one bit on 129 bytes, because a match of 258
+// bytes takes at least two bits. zlib's documentation gives this ratio.
+inline constexpr std::uint64_t kDeflateMaxRatio = 1032;
+
 struct PngChunk {
   std::string_view type;                     // "IDAT"
   std::span<const std::byte> type_and_data;  // those of the check sum

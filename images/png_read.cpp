@@ -11,15 +11,13 @@
 #include <vector>
 
 #include <glassbox/images/image_size.h>
+#include <glassbox/images/png_chunks.h>
+#include <glassbox/images/png_plain.h>
 
 namespace glassbox {
 namespace {
 
 static_assert(sizeof(Rgba8) == 4 && alignof(Rgba8) == 1, "libpng writes rows of RGBA bytes");
-
-// The largest ratio of deflate: it spends at least one bit on 129 bytes, because a match of 258
-// bytes takes at least two bits. zlib's documentation gives this ratio.
-constexpr std::uint64_t kDeflateMaxRatio = 1032;
 
 struct Source {
   std::span<const std::byte> rest;
@@ -174,6 +172,12 @@ Result<Image<Rgba8>> decode_png(std::span<const std::byte> bytes, const DecodeLi
 
 Result<StoredImage> decode_png_stored(std::span<const std::byte> bytes,
                                       const DecodeLimits& limits) {
+  if (auto image = decode_plain_png(bytes, limits)) return *std::move(image);
+  return decode_with_libpng(bytes, limits);
+}
+
+Result<StoredImage> decode_with_libpng(std::span<const std::byte> bytes,
+                                       const DecodeLimits& limits) {
   Reader reader(bytes);
   Rows rows;
   const auto header = start(reader, Form::kStored, rows, limits);

@@ -61,6 +61,7 @@ void on_write_warning(png_structp, png_const_charp) {}
 struct Layout {
   int width = 0, height = 0, channels = 0;
   int bits_per_channel = 8;
+  std::span<const Rgba8> palette = {};  // empty: the samples are no indices
 };
 
 // Writes the samples of row y; 16-bit samples with the upper byte first.
@@ -167,19 +168,28 @@ std::vector<Band> compressed_rows(const Layout& layout, const PackRow& pack) {
 
 // ---- the file ----
 
-int colour_type(int channels) {
+int colour_type(const Layout& layout) {
+  if (!layout.palette.empty()) return PNG_COLOR_TYPE_PALETTE;
   constexpr int kTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                             PNG_COLOR_TYPE_RGBA};
-  return kTypes[channels - 1];
+  return kTypes[layout.channels - 1];
+}
+
+std::vector<png_color> palette_of(const Layout& layout) {
+  std::vector<png_color> colours;
+  for (const Rgba8& colour : layout.palette) colours.push_back({colour.r, colour.g, colour.b});
+  return colours;
 }
 
 // Returns false after an error; the message is then in the Sink.
 bool write_png(png_structp png, png_infop info, const Layout& layout,
-               const std::vector<Band>& bands, std::vector<png_text>& text) {
+               const std::vector<png_color>& palette, const std::vector<Band>& bands,
+               std::vector<png_text>& text) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_IHDR(png, info, png_uint_32(layout.width), png_uint_32(layout.height),
-               layout.bits_per_channel, colour_type(layout.channels), PNG_INTERLACE_NONE,
+               layout.bits_per_channel, colour_type(layout), PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (!palette.empty()) png_set_PLTE(png, info, palette.data(), int(palette.size()));
   if (!text.empty()) png_set_text(png, info, text.data(), int(text.size()));
   png_write_info(png, info);
   const auto chunk = [&](const char* name, const std::uint8_t* data, std::size_t size) {
@@ -265,7 +275,7 @@ Result<std::vector<std::byte>> encode_rows(const Layout& layout, const PackRow& 
   } catch (const std::bad_alloc&) {
     return no_encoding("out of memory");
   }
-  if (!write_png(writer.png, writer.info, layout, bands, texts)) {
+  if (!write_png(writer.png, writer.info, layout, palette_of(layout), bands, texts)) {
     return no_encoding(writer.sink.message);
   }
   return std::move(writer.sink.bytes);
@@ -313,6 +323,21 @@ Result<std::vector<std::byte>> encode_png(const StoredImage& image,
         }
       },
       image.samples);
+}
+
+Result<std::vector<std::byte>> encode_png(const Image<std::uint8_t>& indices,
+                                          std::span<const Rgba8> palette) {
+  const auto highest = std::max_element(indices.pixels.begin(), indices.pixels.end());
+  if (highest != indices.pixels.end() && *highest >= palette.size()) {
+    return fail("", "the palette has no colour " + std::to_string(*highest),
+                "give a colour for every index");
+  }
+  const auto pack = [&](int y, std::uint8_t* out) {
+    std::copy_n(indices.pixels.begin() + std::ptrdiff_t(indices.index(0, y)), indices.width, out);
+  };
+  return encode_rows({indices.width, indices.height, 1, 8,
+                      palette.first(std::min<std::size_t>(palette.size(), 256))},
+                     pack, {});
 }
 
 }  // namespace glassbox

@@ -2,6 +2,7 @@
 
 #include <glassbox/base/ascii_case.h>
 #include <glassbox/images/atomic_file.h>
+#include <glassbox/images/palette.h>
 
 namespace glassbox {
 namespace {
@@ -13,6 +14,16 @@ std::string lower_case_extension(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return "";
   return lower_case(path.substr(dot));
+}
+
+bool is_ppm_path(const std::string& path) {
+  return lower_case_extension(path) == ".ppm";
+}
+
+Result<void> write_encoded(const std::string& path, Result<std::vector<std::byte>> bytes) {
+  if (bytes) return write_file(path, *bytes);
+  bytes.error().file = path;
+  return tl::unexpected<Error>(bytes.error());
 }
 
 }  // namespace
@@ -31,13 +42,15 @@ Result<void> check_image_path(const std::string& path) {
 Result<void> write_image(const std::string& path, const Image<Rgba8>& image,
                          std::span<const TextEntry> text) {
   if (auto known = check_image_path(path); !known) return known;
-  if (lower_case_extension(path) == ".ppm") return write_file(path, encode_ppm(image));
-  auto bytes = encode_png(image, text);
-  if (!bytes) {
-    bytes.error().file = path;
-    return tl::unexpected<Error>(bytes.error());
-  }
-  return write_file(path, *bytes);
+  if (is_ppm_path(path)) return write_file(path, encode_ppm(image));
+  return write_encoded(path, encode_png(image, text));
+}
+
+Result<void> write_image(const std::string& path, const Image<std::uint8_t>& indices,
+                         std::span<const Rgba8> palette) {
+  if (auto known = check_image_path(path); !known) return known;
+  if (is_ppm_path(path)) return write_file(path, encode_ppm(coloured(indices, palette)));
+  return write_encoded(path, encode_png(indices, palette));
 }
 
 }  // namespace glassbox

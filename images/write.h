@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -26,6 +27,11 @@ Result<std::vector<std::byte>> encode_png(const Image<Rgba8>& image,
 Result<std::vector<std::byte>> encode_png(const StoredImage& image,
                                           std::span<const TextEntry> text = {});
 
+// Encodes PNG with a palette: each pixel is the index of one of up to 256 colours, whose alpha is
+// not written. The palette must have a colour for every index that occurs.
+Result<std::vector<std::byte>> encode_png(const Image<std::uint8_t>& indices,
+                                          std::span<const Rgba8> palette);
+
 // Encodes binary PPM (P6). It has no alpha: the colours are written as they are.
 std::vector<std::byte> encode_ppm(const Image<Rgba8>& image);
 
@@ -40,6 +46,10 @@ Result<std::vector<std::byte>> encode_pfm(const StoredImage& image);
 // not at all. PPM cannot store `text`.
 Result<void> write_image(const std::string& path, const Image<Rgba8>& image,
                          std::span<const TextEntry> text = {});
+
+// The same for indices of a palette; PPM has the colours themselves.
+Result<void> write_image(const std::string& path, const Image<std::uint8_t>& indices,
+                         std::span<const Rgba8> palette);
 
 // Returns an error unless write_image supports the extension: useful to check before a long run.
 Result<void> check_image_path(const std::string& path);

@@ -54,6 +54,8 @@ public:
   // Returns the error about the first path with a wrong extension; if there is none, what
   // check_outputs returns.
   Result<void> check() const;
+  // The paths that were added.
+  const std::vector<std::string>& paths() const { return paths_; }
 
 private:
   void add(const std::string& path, const Result<void>& legal);

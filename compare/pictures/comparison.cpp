@@ -238,8 +238,9 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   if (!test_file) return uncompared(std::move(comparison), test_file.error());
   comparison.test = facts(test_path, test_file->image);
 
-  const PreparedPair prepared =
-      prepare_pair(std::move(reference_file->image), std::move(test_file->image), options);
+  const auto pixels = std::make_shared<const PreparedPair>(
+      prepare_pair(std::move(reference_file->image), std::move(test_file->image), options));
+  const PreparedPair& prepared = *pixels;
   comparison.opaque_alpha = prepared.opaque_alpha;
   if (!prepared.is_comparable()) {
     comparison.reasons = prepared.mismatch;
@@ -257,6 +258,7 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   comparison.mask = rules.options.mask;
   comparison.nan_equals_nan = options.nan_equals_nan;
   comparison.canvas = prepared.canvas;
+  if (options.keep_pixels) comparison.pixels = pixels;
   comparison.set_aside = rules.options.tolerance.set_aside;
   const auto selection = selection_of(prepared, comparison);
   if (!selection) return uncompared(std::move(comparison), selection.error());

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,7 @@ struct CompareOptions {
   Alignment alignment = Alignment::kTopLeft;  // of pictures whose sizes differ
   bool ignore_size = false;        // pictures of different sizes pass if their overlap does
   bool suggest_tolerance = false;  // fill in Comparison::suggestions
+  bool keep_pixels = false;        // fill in Comparison::pixels
   // Returns the command that shows how a pixel of a picture made by this recipe was computed; empty
   // where there is none.
   std::function<std::string(const Recipe& recipe, PixelPosition pixel)> inspect_command;
@@ -63,6 +65,8 @@ struct PictureFacts {
   std::string format;         // "8 bits"
 };
 
+struct PreparedPair;  // prepared_pair.h
+
 struct Comparison {
   // The name of the pair: its path below the two directories, or the test's path.
   std::string name;
@@ -74,6 +78,10 @@ struct Comparison {
   std::optional<Canvas> canvas;
   OpaqueAlpha opaque_alpha = OpaqueAlpha::kNone;
   SetAside set_aside;  // what was not counted as a difference
+  double seconds = 0;  // that the comparison took, if it was measured
+  // The pictures, for reports that would otherwise read them again; null unless they were asked for
+  // and can be compared.
+  std::shared_ptr<const PreparedPair> pixels;
   std::vector<MetricValue> metrics;
   // The reasons why the pictures are not the same, or too different: sentences, the decisive one
   // first.

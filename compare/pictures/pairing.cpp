@@ -93,7 +93,9 @@ std::string below(const std::string& directory, const std::string& name) {
 }  // namespace
 
 Result<Pairing> pair_directories(const std::string& reference, const std::string& test) {
-  const auto references = files_below(reference);
+  std::error_code ignored;
+  const Result<Files> references =
+      fs::exists(reference, ignored) ? files_below(reference) : Files();
   if (!references) return tl::unexpected(references.error());
   const auto tests = files_below(test);
   if (!tests) return tl::unexpected(tests.error());

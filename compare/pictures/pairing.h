@@ -25,7 +25,8 @@ struct Pairing {
 // Finds all pictures below the two directories, subfolders included (links to folders are not
 // followed): files with the extension of a picture, in upper or lower case, and files whose first
 // bytes are those of a picture, whatever their name. Formats that are known, but not read, are
-// among them, so that they count as not compared. An error where there is no picture at all.
+// among them, so that they count as not compared. A reference directory that does not exist has no
+// pictures. An error where there is no picture at all.
 Result<Pairing> pair_directories(const std::string& reference, const std::string& test);
 
 }  // namespace glassbox

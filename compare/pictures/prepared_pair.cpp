@@ -59,7 +59,8 @@ PreparedPair prepare_pair(StoredImage reference, StoredImage test, const Compare
   return pair;
 }
 
-Result<PreparedPair> prepare_again(const Comparison& comparison) {
+Result<std::shared_ptr<const PreparedPair>> pixels_of(const Comparison& comparison) {
+  if (comparison.pixels) return comparison.pixels;
   auto reference = read_stored(comparison.reference.path);
   if (!reference) return tl::unexpected(reference.error());
   auto test = read_stored(comparison.test.path);
@@ -72,7 +73,7 @@ Result<PreparedPair> prepare_again(const Comparison& comparison) {
   }
   drop_opaque_alpha(pair);
   lay_on_canvas(pair);
-  return pair;
+  return std::make_shared<const PreparedPair>(std::move(pair));
 }
 
 Result<Selection> selection_of(const PreparedPair& pair, const Comparison& comparison) {

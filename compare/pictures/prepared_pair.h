@@ -2,6 +2,7 @@
 // canvas where their sizes differ.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +28,9 @@ struct PreparedPair {
 // their sizes, and not if the canvas would be too large.
 PreparedPair prepare_pair(StoredImage reference, StoredImage test, const CompareOptions& options);
 
-// Reads the two pictures of a comparison again, and prepares them as it did. An error if a file
-// cannot be read, or is not the picture that was compared.
-Result<PreparedPair> prepare_again(const Comparison& comparison);
+// The two pictures of a comparison, prepared as it did: those that it kept; otherwise they are read
+// again. An error if a file cannot be read, or is not the picture that was compared.
+Result<std::shared_ptr<const PreparedPair>> pixels_of(const Comparison& comparison);
 
 // The pixels of the prepared pair that a comparison used.
 Result<Selection> selection_of(const PreparedPair& pair, const Comparison& comparison);

@@ -131,6 +131,46 @@ Score score_of(const PicturePair& pair, const Hypothesis<Sample>& hypothesis, in
   return score;
 }
 
+// The first differing pixels in row order, `count` at most.
+template <class Sample>
+std::vector<PixelPosition> first_differing(const PicturePair& pair, int first_row,
+                                           std::uint64_t count) {
+  const int channels = pair.reference.channels;
+  std::vector<PixelPosition> pixels;
+  for (int y = first_row; y < pair.reference.height; ++y) {
+    const Sample* reference = row_of<Sample>(pair.reference, y);
+    const Sample* test = row_of<Sample>(pair.test, y);
+    for (int x = 0; x < pair.reference.width; ++x, reference += channels, test += channels) {
+      if (same_pixel(pair, reference, test) || !pair.selection.compares(x, y)) continue;
+      if (pixels.size() == count) return pixels;
+      pixels.push_back({x, y});
+    }
+  }
+  return pixels;
+}
+
+// Whether the hypothesis predicts more than `limit` of these pixels wrongly.
+template <class Sample>
+bool is_refuted_by(const std::vector<PixelPosition>& pixels, const PicturePair& pair,
+                   const Hypothesis<Sample>& hypothesis, std::uint64_t limit) {
+  const int width = pair.reference.width, height = pair.reference.height;
+  const Sample *reference = row_of<Sample>(pair.reference, 0), *test = row_of<Sample>(pair.test, 0);
+  const auto offset = [&](int x, int y) {
+    return (std::ptrdiff_t(y) * width + x) * pair.reference.channels;
+  };
+  std::uint64_t misses = 0;
+  for (const auto& [x, y] : pixels) {
+    const int from_x = hypothesis.x_sign * x + hypothesis.x_offset;
+    const int from_y = hypothesis.y_sign * y + hypothesis.y_offset;
+    if (!is_within(from_x, width) || !is_within(from_y, height)) continue;
+    const bool right =
+        predicts(pair, hypothesis, reference + offset(from_x, from_y), test + offset(x, y));
+    misses += right ? 0u : 1u;
+    if (misses > limit) return true;
+  }
+  return false;
+}
+
 // Whether the pixel has changed as the hypothesis says, to a value that is not an end of the range:
 // at the ends, clamping makes any large constant fit.
 template <class Sample>
@@ -226,11 +266,24 @@ Hypothesis<Sample> colour_hypothesis(std::string words, int channels, Fits fits)
   return hypothesis;
 }
 
-// Whether `encoded` may be the sRGB encoding of a number that is stored as `linear` without it:
-// each byte represents all numbers that are rounded to it.
+// The sRGB encodings that numbers may have which are stored as `linear` without it: each byte
+// represents all numbers that are rounded to it.
+struct Encodings {
+  std::uint8_t first = 0, last = 0;
+};
+
+std::array<Encodings, 256> encodings_of_bytes() {
+  std::array<Encodings, 256> encodings;
+  for (std::size_t linear = 0; linear < encodings.size(); ++linear) {
+    encodings[linear] = {encode_srgb((float(linear) - 0.5f) / 255),
+                         encode_srgb((float(linear) + 0.5f) / 255)};
+  }
+  return encodings;
+}
+
 bool is_encoding(std::uint8_t linear, std::uint8_t encoded) {
-  return encode_srgb((float(linear) - 0.5f) / 255) <= encoded &&
-         encoded <= encode_srgb((float(linear) + 0.5f) / 255);
+  static const std::array<Encodings, 256> encodings = encodings_of_bytes();
+  return encodings[linear].first <= encoded && encoded <= encodings[linear].last;
 }
 
 void add_encodings(Hypotheses<std::uint8_t>& all, int channels) {
@@ -270,9 +323,15 @@ template <class Sample>
 std::optional<std::string> best_explanation(const PicturePair& pair,
                                             const Differences& differences) {
   constexpr std::uint64_t kOneIn = 10;
+  // Twice as many pixels as refute a hypothesis; the number bounds the memory (to 8 MiB).
+  constexpr std::uint64_t kMaxTried = std::uint64_t(1) << 20;
   std::uint64_t limit = differences.differing / kOneIn;
+  const auto tried =
+      first_differing<Sample>(pair, differences.first.y, std::min(2 * limit + kOneIn, kMaxTried));
   std::optional<std::string> best;
   for (const auto& hypothesis : hypotheses<Sample>(pair, differences.first)) {
+    // Most hypotheses fail here, without a look at the pixels that are the same.
+    if (is_refuted_by(tried, pair, hypothesis, limit)) continue;
     const auto [misses, open] = score_of(pair, hypothesis, differences.first.y, limit);
     if (misses > limit || (best && misses == limit) || open > differences.differing / 2) continue;
     if (hypothesis.fits && !is_seen_in_two_colours(pair, hypothesis, differences)) continue;
@@ -284,22 +343,23 @@ std::optional<std::string> best_explanation(const PicturePair& pair,
 
 // Returns a sentence such as "only alpha differs" or "only green differs".
 template <class Sample>
-std::optional<std::string> only_channel(const PicturePair& pair) {
+std::optional<std::string> only_channel(const PicturePair& pair, int first_row) {
   constexpr std::array kNames{"red", "green", "blue", "alpha"};
   const int channels = pair.reference.channels;
-  std::array<bool, 4> differs{};
-  for (int y = 0; y < pair.reference.height; ++y) {
+  if (channels == 1) return {};
+  int channel = -1;  // that differs
+  for (int y = first_row; y < pair.reference.height; ++y) {
     const Sample* from = row_of<Sample>(pair.reference, y);
     const Sample* to = row_of<Sample>(pair.test, y);
     for (int x = 0; x < pair.reference.width; ++x, from += channels, to += channels) {
       if (!pair.selection.compares(x, y)) continue;
       for (int c = 0; c < channels; ++c) {
-        differs[std::size_t(c)] |= !same_sample(pair, from[c], to[c]);
+        if (same_sample(pair, from[c], to[c])) continue;
+        if (channel >= 0 && channel != c) return {};
+        channel = c;
       }
     }
   }
-  if (channels == 1 || std::count(differs.begin(), differs.end(), true) != 1) return {};
-  const auto channel = int(std::find(differs.begin(), differs.end(), true) - differs.begin());
   if (is_alpha(channel, channels)) return "only alpha differs";
   return channels == 2 ? "only grey differs"
                        : fmt::format("only {} differs", kNames[std::size_t(channel)]);
@@ -319,7 +379,7 @@ std::vector<std::string> explain_differences(const PicturePair& pair,
         using Sample = typename std::decay_t<decltype(samples)>::value_type;
         std::vector<std::string> hints;
         if (auto best = best_explanation<Sample>(pair, differences)) hints.push_back(*best);
-        if (auto only = only_channel<Sample>(pair)) hints.push_back(*only);
+        if (auto only = only_channel<Sample>(pair, differences.first.y)) hints.push_back(*only);
         return hints;
       },
       pair.reference.samples);

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include <glassbox/images/palette.h>
+
 namespace glassbox {
 namespace {
 
@@ -65,11 +67,24 @@ const Colours& ramp() {
   return colours;
 }
 
-std::uint8_t level_of_kind(PixelKind kind, std::uint32_t steps, const StoredImage& image) {
-  if (kind == PixelKind::kMovedEdge) return kHeatMovedEdge;
-  if (kind == PixelKind::kBelowThreshold) return kHeatBelowThreshold;
-  return heat_level(steps, image);
-}
+// heat_level of one format, for up to 255 steps from a table.
+class HeatLevels {
+public:
+  explicit HeatLevels(const StoredImage& image) : image_(image) {
+    for (std::size_t steps = 0; steps < of_few_.size(); ++steps) {
+      of_few_[steps] = heat_level(std::uint32_t(steps), image);
+    }
+  }
+  std::uint8_t of(PixelKind kind, std::uint32_t steps) const {
+    if (kind == PixelKind::kMovedEdge) return kHeatMovedEdge;
+    if (kind == PixelKind::kBelowThreshold) return kHeatBelowThreshold;
+    return steps < of_few_.size() ? of_few_[steps] : heat_level(steps, image_);
+  }
+
+private:
+  const StoredImage& image_;
+  std::array<std::uint8_t, 256> of_few_;
+};
 
 }  // namespace
 
@@ -101,27 +116,25 @@ std::uint8_t heat_level(std::uint32_t steps, const StoredImage& image) {
 }
 
 Image<std::uint8_t> heat_map(const PicturePair& pair) {
-  Image<std::uint8_t> levels(pair.reference.width, pair.reference.height);
+  const HeatLevels heat(pair.reference);
+  Image<std::uint8_t> levels(pair.reference.width, pair.reference.height, kHeatSame);
   std::vector<std::uint32_t> steps(std::size_t(levels.width));
   std::vector<PixelKind> kinds(steps.size());
   for (int y = 0; y < levels.height; ++y) {
-    row_differences(pair, y, steps);
+    const bool may_differ = row_differences(pair, y, steps);
+    if (!may_differ && pair.selection.includes_all()) continue;  // kHeatSame everywhere
     row_kinds(pair, y, steps, kinds);
     for (int x = 0; x < levels.width; ++x) {
       const auto i = std::size_t(x);
-      levels.at(x, y) = pair.selection.compares(x, y)
-                            ? level_of_kind(kinds[i], steps[i], pair.reference)
-                            : kHeatNotCompared;
+      levels.at(x, y) =
+          pair.selection.compares(x, y) ? heat.of(kinds[i], steps[i]) : kHeatNotCompared;
     }
   }
   return levels;
 }
 
 Image<Rgba8> heat_picture(const Image<std::uint8_t>& levels) {
-  Image<Rgba8> picture(levels.width, levels.height);
-  std::transform(levels.pixels.begin(), levels.pixels.end(), picture.pixels.begin(),
-                 [](std::uint8_t level) { return heat_colours()[level]; });
-  return picture;
+  return coloured(levels, heat_colours());
 }
 
 }  // namespace glassbox

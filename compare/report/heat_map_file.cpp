@@ -12,12 +12,12 @@ Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatMapKin
     return fail(comparison.name, "the two pictures cannot be compared pixel by pixel",
                 "give both the same channels and format");
   }
-  const auto prepared = prepare_again(comparison);
-  if (!prepared) return tl::unexpected(prepared.error());
-  const auto selection = selection_of(*prepared, comparison);
+  const auto pixels = pixels_of(comparison);
+  if (!pixels) return tl::unexpected(pixels.error());
+  const auto selection = selection_of(**pixels, comparison);
   if (!selection) return tl::unexpected(selection.error());
-  const PicturePair pair{prepared->reference, prepared->test, *selection, comparison.nan_equals_nan,
-                         comparison.set_aside};
+  const PicturePair pair{(*pixels)->reference, (*pixels)->test, *selection,
+                         comparison.nan_equals_nan, comparison.set_aside};
   if (of == HeatMapKind::kSteps) return heat_map(pair);
   if (std::holds_alternative<std::vector<float>>(pair.reference.samples)) {
     return fail(comparison.name, "FLIP is not defined for pictures of floats",
@@ -29,7 +29,7 @@ Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatMapKin
 Result<void> write_heat_map(const std::string& path, const Comparison& comparison, HeatMapKind of) {
   const auto levels = heat_levels(comparison, of);
   if (!levels) return tl::unexpected(levels.error());
-  return write_image(path, heat_picture(*levels));
+  return write_image(path, *levels, heat_colours());
 }
 
 }  // namespace glassbox

@@ -15,12 +15,12 @@ enum class HeatMapKind : std::uint8_t {
   kFlip,   // the error that FLIP computes
 };
 
-// Returns the levels of compare/pixels/heat_map.h, one per pixel. Both pictures are read again. An
-// error if they cannot be compared pixel by pixel.
+// Returns the levels of compare/pixels/heat_map.h, one per pixel. An error if
+// the pictures cannot be compared pixel by pixel.
 Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison,
                                         HeatMapKind of = HeatMapKind::kSteps);
 
-// Computes the levels and writes them as a picture, .png or .ppm.
+// Computes the levels and writes them as a picture, .png (with a palette) or .ppm.
 Result<void> write_heat_map(const std::string& path, const Comparison& comparison,
                             HeatMapKind of = HeatMapKind::kSteps);
 

@@ -1,6 +1,7 @@
 #include <glassbox/compare/report/junit.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -21,8 +22,9 @@ std::string in_xml(const std::string& text) {
 }
 
 std::string test_case(const std::string& suite, const Comparison& comparison) {
-  const std::string start = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", in_xml(suite),
-                                        in_xml(comparison.name));
+  const std::string start =
+      fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", in_xml(suite),
+                  in_xml(comparison.name), comparison.seconds);
   if (passes(comparison.verdict)) return start + "/>\n";
   const char* kind = comparison.verdict == Verdict::kUncompared ? "error" : "failure";
   return fmt::format("{}>\n      <{} message=\"{}\">{}</{}>\n    </testcase>\n", start, kind,
@@ -39,9 +41,13 @@ std::string junit_report(const std::string& suite, std::span<const Comparison> c
   const auto passed = std::count_if(comparisons.begin(), comparisons.end(),
                                     [](const Comparison& one) { return passes(one.verdict); });
   const auto tests = std::ptrdiff_t(comparisons.size());
+  const double seconds =
+      std::accumulate(comparisons.begin(), comparisons.end(), 0.0,
+                      [](double sum, const Comparison& one) { return sum + one.seconds; });
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
-  text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
-                      in_xml(suite), tests, tests - passed - errors, errors);
+  text += fmt::format(
+      "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n",
+      in_xml(suite), tests, tests - passed - errors, errors, seconds);
   for (const Comparison& comparison : comparisons) text += test_case(suite, comparison);
   return text + "  </testsuite>\n</testsuites>\n";
 }

@@ -66,11 +66,11 @@ std::optional<StoredImage> heat_of(const Comparison& comparison, const PreparedP
 std::vector<Picture> pictures_of(const Comparison& comparison) {
   std::vector<Picture> pictures;
   if (comparison.differences) {
-    auto pair = prepare_again(comparison);
-    auto heat = pair ? heat_of(comparison, *pair) : std::nullopt;
+    const auto pixels = pixels_of(comparison);
+    auto heat = pixels ? heat_of(comparison, **pixels) : std::nullopt;
     if (!heat) return {};
-    pictures.push_back({"reference", std::move(pair->reference)});
-    pictures.push_back({"test", std::move(pair->test)});
+    pictures.push_back({"reference", (*pixels)->reference});
+    pictures.push_back({"test", (*pixels)->test});
     pictures.push_back({"heat", std::move(*heat)});
     return pictures;
   }

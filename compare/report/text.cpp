@@ -22,12 +22,6 @@ std::string value_text(const MetricValue& metric) {
   return metric.value ? fmt::format("{:.6g}", *metric.value) : "not defined: " + metric.why_not;
 }
 
-// The reason why the pictures are not the same, or were not compared.
-std::string reason(const Comparison& comparison) {
-  if (comparison.error) return comparison.error->message();
-  return comparison.reasons.empty() ? "" : comparison.reasons.front();
-}
-
 }  // namespace
 
 std::string verdict_name(Verdict verdict) {
@@ -35,10 +29,15 @@ std::string verdict_name(Verdict verdict) {
   return verdict == Verdict::kWithinTolerance ? "within tolerance" : verdict_word(verdict);
 }
 
+std::string comparison_reason(const Comparison& comparison) {
+  if (comparison.error) return comparison.error->message();
+  return comparison.reasons.empty() ? "" : comparison.reasons.front();
+}
+
 std::string comparison_line(const Comparison& comparison) {
   std::string text =
       printable(comparison.name, kLongestName) + ": " + verdict_name(comparison.verdict);
-  const std::string why = reason(comparison);
+  const std::string why = comparison_reason(comparison);
   if (!why.empty()) text += ": " + printable(why, 1000);
   return text;
 }

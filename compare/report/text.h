@@ -14,6 +14,9 @@ std::string verdict_name(Verdict verdict);
 // One line: the picture, the verdict, and the reason if it does not pass.
 std::string comparison_line(const Comparison& comparison);
 
+// The reason why the pictures are not the same, or were not compared; empty if they are the same.
+std::string comparison_reason(const Comparison& comparison);
+
 // Returns further lines, each indented: more reasons, hints, notes, metrics, suggestions, and the
 // command that inspects the first differing pixel. Empty for pictures that pass without any of
 // these.
