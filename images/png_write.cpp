@@ -14,6 +14,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <glassbox/images/pack.h>
+#include <glassbox/images/palette.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox {
@@ -327,17 +328,13 @@ Result<std::vector<std::byte>> encode_png(const StoredImage& image,
 
 Result<std::vector<std::byte>> encode_png(const Image<std::uint8_t>& indices,
                                           std::span<const Rgba8> palette) {
-  const auto highest = std::max_element(indices.pixels.begin(), indices.pixels.end());
-  if (highest != indices.pixels.end() && *highest >= palette.size()) {
-    return fail("", "the palette has no colour " + std::to_string(*highest),
-                "give a colour for every index");
+  if (const auto whole = check_palette(indices, palette); !whole) {
+    return tl::unexpected<Error>(whole.error());
   }
   const auto pack = [&](int y, std::uint8_t* out) {
     std::copy_n(indices.pixels.begin() + std::ptrdiff_t(indices.index(0, y)), indices.width, out);
   };
-  return encode_rows({indices.width, indices.height, 1, 8,
-                      palette.first(std::min<std::size_t>(palette.size(), 256))},
-                     pack, {});
+  return encode_rows({indices.width, indices.height, 1, 8, palette}, pack, {});
 }
 
 }  // namespace glassbox

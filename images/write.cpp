@@ -49,6 +49,10 @@ Result<void> write_image(const std::string& path, const Image<Rgba8>& image,
 Result<void> write_image(const std::string& path, const Image<std::uint8_t>& indices,
                          std::span<const Rgba8> palette) {
   if (auto known = check_image_path(path); !known) return known;
+  if (auto whole = check_palette(indices, palette); !whole) {
+    whole.error().file = path;
+    return whole;
+  }
   if (is_ppm_path(path)) return write_file(path, encode_ppm(coloured(indices, palette)));
   return write_encoded(path, encode_png(indices, palette));
 }

@@ -27,8 +27,8 @@ Result<std::vector<std::byte>> encode_png(const Image<Rgba8>& image,
 Result<std::vector<std::byte>> encode_png(const StoredImage& image,
                                           std::span<const TextEntry> text = {});
 
-// Encodes PNG with a palette: each pixel is the index of one of up to 256 colours, whose alpha is
-// not written. The palette must have a colour for every index that occurs.
+// Encodes PNG with a palette of up to 256 colours: each pixel is the index of its colour. Alpha is
+// not written. An error if an index has no colour.
 Result<std::vector<std::byte>> encode_png(const Image<std::uint8_t>& indices,
                                           std::span<const Rgba8> palette);
 

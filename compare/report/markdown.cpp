@@ -15,13 +15,14 @@ namespace {
 
 constexpr std::size_t kMaxRows = 200;
 
-// Markdown gives these characters a meaning, except behind a backslash.
+// Text that means itself in Markdown, which may contain HTML.
 std::string in_markdown(const std::string& text) {
-  constexpr std::string_view kSpecial = "\\`*_{}[]()#+-.!|~";
+  constexpr std::string_view kMarkup = "\\`*_{}[]()#+-.!|~", kHtml = "<>&";
   std::string out;
-  for (const char c : escaped_html(printable(text, 400))) {
-    if (kSpecial.find(c) != std::string_view::npos) out += '\\';
-    out += c;
+  for (const char c : printable(text, 400)) {
+    if (kMarkup.find(c) != std::string_view::npos) out += '\\';
+    out += kHtml.find(c) == std::string_view::npos ? std::string(1, c)
+                                                   : escaped_html(std::string(1, c));
   }
   return out;
 }

@@ -41,9 +41,11 @@ TEST_CASE("a suite has a case for each picture and counts what fails") {
                                     broken("f"),
                                     broken("g")};
   const Element suite = suite_of("golden", all);
-  CHECK(suite.attributes ==
-        std::map<std::string, std::string>{
-            {"name", "golden"}, {"tests", "7"}, {"failures", "3"}, {"errors", "2"}});
+  CHECK(suite.attributes == std::map<std::string, std::string>{{"name", "golden"},
+                                                               {"tests", "7"},
+                                                               {"failures", "3"},
+                                                               {"errors", "2"},
+                                                               {"time", "0.000"}});
   REQUIRE(suite.children.size() == 7);
   const std::vector<std::string> kinds{"", "", "failure", "failure", "failure", "error", "error"};
   for (std::size_t i = 0; i < 7; ++i) {
@@ -65,6 +67,16 @@ TEST_CASE("a failure says what a person would read") {
   const Element failure = suite_of("golden", {one}).children[0].children[0];
   CHECK(failure.attributes.at("message") == "c: different: 3 of 32 pixels differ");
   CHECK(failure.text == "  likely: a hint\n");
+}
+
+TEST_CASE("a case has its time, and the suite their sum") {
+  Comparison one = comparison("a", Verdict::kSame), two = different("b");
+  one.seconds = 0.25;
+  two.seconds = 1.5;
+  const Element suite = suite_of("golden", {one, two});
+  CHECK(suite.attributes.at("time") == "1.750");
+  CHECK(suite.children[0].attributes.at("time") == "0.250");
+  CHECK(suite.children[1].attributes.at("time") == "1.500");
 }
 
 TEST_CASE("no pictures are a suite of none") {
