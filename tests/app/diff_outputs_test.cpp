@@ -79,7 +79,7 @@ TEST_CASE("--json - prints one JSON document and nothing else") {
   CHECK(json["pictures"][0]["differences"]["first"] == Json({{"x", 3}, {"y", 3}}));
   CHECK(json["pictures"][0]["metrics"][0]["name"] == "psnr");
 
-  REQUIRE(two.diff("--json report.json --metric psnr").exit_code == 1);
+  REQUIRE(two.diff("--json report.json --suggest-fuzzy --metric psnr").exit_code == 1);
   CHECK(Json::parse(two.here.read("report.json")) == json);
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("--junit - prints the XML and nothing else") {
   CHECK(outcome.out.find("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>") == 0);
   CHECK(contains(outcome.out, "tests=\"1\" failures=\"1\" errors=\"0\""));
   CHECK(outcome.out.find("</testsuites>\n") == outcome.out.size() - 14);
-  REQUIRE(two.diff("--junit report.xml").exit_code == 1);
+  REQUIRE(two.diff("--junit report.xml --suggest-fuzzy").exit_code == 1);
   const std::regex time(" time=\"[0-9.]+\"");
   CHECK(std::regex_replace(two.here.read("report.xml"), time, "") ==
         std::regex_replace(outcome.out, time, ""));

@@ -185,12 +185,25 @@ TEST_CASE("a directory that cannot be listed is an error") {
   const TwoFolders here;
   here.add("ref/a.png");
   const std::string nowhere = here.ref() + "/nowhere";
-  for (const auto& pairing :
-       {pair_directories(nowhere, here.out()), pair_directories(here.ref(), nowhere),
-        pair_directories(here.ref() + "/a.png", here.out())}) {
+  for (const auto& pairing : {pair_directories(here.ref(), nowhere),
+                              pair_directories(here.ref() + "/a.png", here.out())}) {
     REQUIRE(!pairing);
     CHECK(pairing.error().cause.find("cannot be listed") != std::string::npos);
   }
+}
+
+TEST_CASE("a reference directory that does not exist has no pictures") {
+  const TwoFolders here;
+  const std::string nowhere = here.ref() + "/nowhere";
+  const auto none = pair_directories(nowhere, here.out());
+  REQUIRE(!none);
+  CHECK(none.error().cause.find("there is no picture") != std::string::npos);
+  here.add("out/a.png");
+  const auto pairing = pair_directories(nowhere, here.out());
+  REQUIRE(pairing);
+  REQUIRE(pairing->pictures.size() == 1);
+  CHECK(!pairing->pictures[0].has_reference);
+  CHECK(pairing->pictures[0].reference == nowhere + "/a.png");
 }
 
 TEST_CASE("names that are no text are paired, too") {
