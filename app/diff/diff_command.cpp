@@ -30,6 +30,7 @@
 #include <glassbox/compare/report/json.h>
 #include <glassbox/compare/report/junit.h>
 #include <glassbox/compare/report/page.h>
+#include <glassbox/compare/report/page_folder.h>
 #include <glassbox/compare/report/text.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/write.h>
@@ -57,6 +58,7 @@ private:
   CompareOptions options_;
   std::optional<std::string> heat_, page_, json_, junit_;
   HeatMapKind heat_of_ = HeatMapKind::kSteps;
+  bool page_files_ = false;
   bool approve_ = false;
   std::vector<const CLI::Option*> comparing_;  // the options that can change the verdict
 };
@@ -254,7 +256,16 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
              {{"steps", HeatMapKind::kSteps}, {"flip", HeatMapKind::kFlip}},
              "what the heat map shows: steps of difference, or the visible error by FLIP [steps]")
       ->group(reports);
-  add_html_output(command, page_, "one page with everything, to open in a browser")->group(reports);
+  CLI::Option* html =
+      add_html_output(command, page_, "one page with everything, to open in a browser");
+  html->group(reports);
+  command
+      .add_flag(
+          "--html-files", page_files_,
+          "with --html page.html: the whole pictures go into the folder page-files beside the "
+          "page, which loads those that are looked at; for many pictures")
+      ->needs(html)
+      ->group(reports);
   add_json_output(command, json_, "everything")->group(reports);
   command.add_option("--junit", junit_, "JUnit's XML for servers; - is standard output")
       ->type_name("FILE|-")
@@ -293,6 +304,19 @@ Result<void> DiffCommand::check_output_paths(const Pairing& pairing) const {
   if (heat_ && directories_ && (is_same_file(*heat_, reference_) || is_same_file(*heat_, test_))) {
     return tl::unexpected(Error{*heat_, "-o", "this is one of the directories to compare",
                                 "name another folder for the heat maps"});
+  }
+  if (page_ && page_files_) {
+    const std::string folder = page_folder(*page_);
+    if (exists(folder) && !is_directory(folder)) {
+      return tl::unexpected(Error{folder, "--html-files",
+                                  "is a file, but the page's pictures need a folder of this name",
+                                  "give the page another name"});
+    }
+    if (directories_ && (is_same_file(folder, reference_) || is_same_file(folder, test_))) {
+      return tl::unexpected(Error{folder, "--html-files",
+                                  "this is one of the directories to compare",
+                                  "give the page another name"});
+    }
   }
   if (page_ == "-") {
     return fail("--html", "the page cannot go to standard output", "name a file");
@@ -362,6 +386,7 @@ Result<void> DiffCommand::write_reports(const std::vector<Comparison>& compariso
     options.title = directories_ ? reference_ + " and " + test_ : "glassbox diff";
     options.program = std::string("glassbox ") + GLASSBOX_VERSION;
     options.command = command_line();
+    options.files_beside = page_files_;
     if (const auto written = write_page(*page_, comparisons, options); !written) return written;
   }
   if (json_) {

@@ -137,20 +137,20 @@ function drawValues(layer, seen, origin, cell) {
   }
 }
 
-// A box is at least a few pixels of the screen large, so that a single wrong pixel is found from any distance; of
-// several that would cover each other, the worst is drawn.
+// A box is at least a few pixels of the screen large, so that a single wrong pixel is found from any distance. The chosen
+// region has its own box.
 function drawBoxes(pane) {
   const origin = originOf(pane), cell = cellSize(), least = 8 * devicePixelRatio;
-  const taken = new Set();
-  state.pair.regions.forEach(({box}, i) => {
+  const drawBox = (box, colour) => {
     const width = Math.max(box.width * cell, least), height = Math.max(box.height * cell, least);
     const x = origin.x + (box.x + box.width / 2) * cell - width / 2;
     const y = origin.y + (box.y + box.height / 2) * cell - height / 2;
-    const place = [x - origin.x, y - origin.y, width, height].map((value) => Math.round(value / (2 * least))).join();
-    if (taken.has(place) && i !== state.region) return;
-    taken.add(place);
-    outline(x, y, width, height, i === state.region ? "#ffe14d" : "#fff");
-  });
+    const seen = x < pane.x + pane.width && y < pane.y + pane.height && x + width > pane.x && y + height > pane.y;
+    if (seen) outline(x, y, width, height, colour);
+  };
+  for (const box of shownBoxes()) drawBox(box, "#fff");
+  const region = state.pair.regions[state.region];
+  if (region) drawBox(region.box, "#ffe14d");
 }
 
 function drawDivider(pane) {
