@@ -14,7 +14,8 @@
 namespace glassbox {
 namespace {
 
-constexpr std::uint64_t kGround = 230;  // the grey under what is transparent
+constexpr std::uint64_t kGround = 230;        // the grey under what is transparent
+constexpr Rgba8 kFading{128, 128, 128, 255};  // mixed with the picture under a heat map
 
 // How the boxes lie in the picture.
 struct Grid {
@@ -130,19 +131,27 @@ std::uint8_t spread_level(const Image<std::uint8_t>& levels, int column, int row
   return found;
 }
 
-// Half of the colour, and half of a middle grey.
-Rgba8 faded(Rgba8 colour) {
-  const auto half = [](std::uint8_t value) { return std::uint8_t((value + 128) / 2); };
-  return {half(colour.r), half(colour.g), half(colour.b), 255};
+Rgba8 half_way(Rgba8 a, Rgba8 b) {
+  const auto half = [](int x, int y) { return std::uint8_t((x + y) / 2); };
+  return {half(a.r, b.r), half(a.g, b.g), half(a.b, b.b), 255};
+}
+
+// Where more than a sixteenth of the boxes differ, spread colours would hide the picture.
+bool is_sparse(const Image<std::uint8_t>& levels) {
+  const auto hot = std::count_if(levels.pixels.begin(), levels.pixels.end(), is_heat);
+  return 16 * std::size_t(hot) <= levels.pixels.size();
 }
 
 void lay_heat_over(Image<Rgba8>& thumbnail, const StoredImage& heat, const Grid& grid) {
   const Image<std::uint8_t> levels = hottest_levels(heat, grid);
+  const bool sparse = is_sparse(levels);
   for (int y = 0; y < grid.rows; ++y) {
     for (int x = 0; x < grid.columns; ++x) {
-      const std::uint8_t level = spread_level(levels, x, y);
+      const std::uint8_t level = sparse ? spread_level(levels, x, y) : levels.at(x, y);
       Rgba8& pixel = thumbnail.at(x, y);
-      pixel = level == kHeatSame ? faded(pixel) : heat_colours()[level];
+      const Rgba8 faded = half_way(pixel, kFading);
+      const Rgba8 colour = heat_colours()[level];
+      pixel = level == kHeatSame ? faded : sparse ? colour : half_way(pixel, colour);
     }
   }
 }

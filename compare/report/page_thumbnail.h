@@ -20,7 +20,8 @@ inline constexpr int kThumbnailWidth = 96, kThumbnailHeight = 64;  // px, at mos
 // With a heat map, the picture is faded, and the differences lie over it: a pixel has the colour of
 // the largest difference in its box and in the eight boxes around it, so that a single differing
 // pixel is seen. Where the box has pixels that are set aside, or where all of it is not compared,
-// it has their colour.
+// it has their colour. If more than a sixteenth of the boxes differ, each has only its own colour,
+// mixed half and half with the picture, so that the picture is still recognised.
 //
 // `pictures` are those of page_pictures; there is at least one.
 Image<Rgba8> page_thumbnail(std::span<const PagePicture> pictures);

@@ -205,7 +205,66 @@ async function boxes(page) {
   return {number: Number(text.replaceAll(",", "").match(/^\d+/)[0]), reach: Number(text.match(/up to (\d+) px/)?.[1] ?? 1)};
 }
 
-test("thousands of scattered pixels have few boxes that share no pixel, and each pixel has one", async () => {
+// Notes the white boxes that the page draws in the last frame, in device pixels.
+function watchBoxes() {
+  window.drawnBoxes = [];
+  const {fillRect, strokeRect} = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.strokeRect = function (x, y, width, height) {
+    if (this.strokeStyle === "#ffffff") window.drawnBoxes.push([x + 1.5, y + 1.5, width - 3, height - 3]);
+    return strokeRect.call(this, x, y, width, height);
+  };
+  CanvasRenderingContext2D.prototype.fillRect = function (x, y, width, height) {
+    if (width === this.canvas.width && height === this.canvas.height) window.drawnBoxes = [];
+    return fillRect.call(this, x, y, width, height);
+  };
+}
+
+// The boxes on the heat map in px of the picture, where a pixel is 8 of the screen: there no box is drawn larger than it is.
+async function boxesInPicture(page) {
+  await press(page, "h", "0");
+  while (await page.textContent("#zoom-level") !== "8×") await press(page, "-");
+  await page.locator("#view").focus();
+  await press(page, "ArrowRight");
+  const {x, y} = await readout(page), [[cx, cy, cell]] = await page.evaluate(() => window.crosshairs);
+  const drawn = await page.evaluate(() => window.drawnBoxes);
+  return drawn.map(([left, top, width, height]) => [left - (cx - (x + .5) * cell), top - (cy - (y + .5) * cell), width, height]
+    .map((value) => value / cell));
+}
+
+test("boxes share no pixel, and pixels within the reach have one box, which is no larger than they need", async () => {
+  const ground = makePicture(60, 40, 1, 8, () => [90]);
+  let random = 5;
+  const below = (end) => (random = (random * 48271) % 2147483647) % end;
+  for (const number of [1, 20, 60, 200]) {
+    const pixels = Array.from({length: number}, () => [below(60), below(40)]);
+    write("reach/reference.png", encodePng(ground));
+    write("reach/test.png", encodePng(copyWith(ground, pixels.map(([x, y]) => [x, y, [120]]))));
+    const made = makePage("reach/page.html", "reach/reference.png", "reach/test.png");
+    const {page, problems, close} = await openPage(made, {}, "", watchBoxes);
+    const found = await boxesInPicture(page), says = await boxes(page);
+    assert.equal(says.number, found.length);
+    const holds = ([left, top, width, height], [x, y]) => x >= left && y >= top && x < left + width && y < top + height;
+    const boxOf = (pixel) => {
+      const around = found.filter((box) => holds(box, pixel));
+      assert.equal(around.length, 1, `${number} pixels: ${pixel} is in one box`);
+      return around[0];
+    };
+    for (const a of pixels) {
+      for (const b of pixels) {
+        const apart = Math.max(Math.abs(a[0] - b[0]), Math.abs(a[1] - b[1]));
+        if (apart <= says.reach) assert.equal(boxOf(a), boxOf(b), `${a} and ${b} share a box`);
+      }
+    }
+    for (const [left, top, width, height] of found) {
+      const inside = pixels.filter((pixel) => holds([left, top, width, height], pixel)), [xs, ys] = [0, 1].map((k) => inside.map((pixel) => pixel[k]));
+      assert.deepEqual([Math.min(...xs), Math.min(...ys), Math.max(...xs) + 1, Math.max(...ys) + 1], [left, top, left + width, top + height]);
+    }
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
+test("thousands of scattered pixels have few boxes, and at the largest zoom each region has its own", async () => {
   const ground = makePicture(400, 300, 1, 8, () => [90]);
   const scattered = Array.from({length: 3000}, (_, i) => [(i * 7919) % 400, (i * 104729 + (i >> 3)) % 300, [120]]);
   const {page, problems, close} = await openPair("scattered", ground, copyWith(ground, scattered));
@@ -225,7 +284,7 @@ test("two pixels have one box where they are near on the screen, and two where t
   const ground = makePicture(1000, 600, 1, 8, () => [90]);
   const {page, problems, close} = await openPair("two", ground, copyWith(ground, [[100, 100, [0]], [140, 100, [0]], [900, 500, [0]]]));
   await press(page, "1");
-  assert.deepEqual(await boxes(page), {number: 3, reach: 16});
+  assert.deepEqual(await boxes(page), {number: 3, reach: 1}, "each region has its box");
   await press(page, "0");
   const {reach, number} = await boxes(page);
   assert.ok(reach >= 40 && number === 2, `40 px apart, with a reach of ${reach} px`);
@@ -241,5 +300,13 @@ test("edges that moved and what is below the threshold are counted apart, with t
   assert.match(lines[1], /^1 pixel below the threshold, by up to 3\/255/);
   assert.ok(await page.locator("#moved-edge").isVisible());
   assert.ok(await page.locator("#below-threshold").isVisible());
+  return {problems, close};
+});
+
+test("a window with no room for the pictures does not stop the page", async () => {
+  const {page, problems, close} = await openPage(writeNumbers("numbers"), {viewport: {width: 320, height: 100}, deviceScaleFactor: 3});
+  await page.evaluate(() => Object.assign(document.getElementById("stage").style, {height: "12px", minHeight: "0", flex: "none"}));
+  await press(page, "j", "0", "h", "s", "n", "0");
+  assert.equal(await openName(page), "view 2.png");
   return {problems, close};
 });

@@ -132,6 +132,21 @@ TEST_CASE("a single differing pixel of a large picture is nine pixels of its thu
   }
 }
 
+TEST_CASE("where everything differs, the thumbnail still shows the picture", "[report]") {
+  constexpr std::uint8_t kLevel = 9;
+  std::vector<std::pair<PixelPosition, std::uint8_t>> all;
+  for (int x = 0; x < 40; ++x) all.push_back({{x, 0}, kLevel});
+  std::vector<PagePicture> pictures;
+  Random random(15);
+  pictures.push_back({"test", random_bytes(random, 40, 1, 1), {}});
+  pictures.push_back({"heat", heat_with(40, 1, all), {}});
+  const Image<Rgba8> thumbnail = page_thumbnail(pictures);
+  for (int x = 0; x < 40; ++x) {
+    const int grey = std::get<std::vector<std::uint8_t>>(pictures[0].image.samples)[std::size_t(x)];
+    CHECK(thumbnail.at(x, 0).g == (grey + heat_colours()[kLevel].g) / 2);
+  }
+}
+
 TEST_CASE("what is set aside covers only its own box, and no difference", "[report]") {
   std::vector<PagePicture> pictures;
   Random random(14);

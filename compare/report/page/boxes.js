@@ -6,10 +6,12 @@ const boxesApart = 16; // CSS pixels that boxes have between them, unless each b
 const isDifference = (level) => level !== 0 && (level < belowThreshold || level === hottest);
 
 // How far apart in px, along both axes, differing pixels surely share a box: a power of two, and 1 where each box is a
-// region.
+// region. A window that has no room for the picture makes the scale 0 or less; nothing is further apart than the picture is
+// large.
 function reachAt(scale) {
+  const largest = Math.max(state.pair.width, state.pair.height);
   let reach = 1;
-  while (reach * scale < boxesApart) reach *= 2;
+  while (reach * scale < boxesApart && reach < largest) reach *= 2;
   return reach;
 }
 
@@ -99,7 +101,8 @@ function withoutOverlaps(boxes) {
 const shownBoxes = () => (state.pair?.heat ? boxesOf(state.pair.heat, reachAt(view.scale)) : []);
 
 function boxesText() {
+  if (!shownBoxes().length) return "";
   const reach = reachAt(view.scale), {length} = shownBoxes(), number = length === 1 ? "1 box" : `${numberText(length)} boxes`;
-  return reach === 1 ? `${number} on the picture: one around each region.`
+  return reach === 1 || length === state.facts.differences.region_count ? `${number} on the picture: one around each region.`
     : `${number} on the picture: at this zoom, pixels up to ${reach} px apart share one.`;
 }

@@ -83,7 +83,8 @@ async function copy(text, button, place) {
 
 // The exact regions; the boxes on the pictures are fewer where regions lie close together.
 function listRegions({differences, regions}) {
-  byId("regions").hidden = !differences;
+  const {differing_pixels, moved_edges, below_threshold} = differences ?? {};
+  byId("regions").hidden = !differing_pixels && !moved_edges && !below_threshold;
   if (!differences) return;
   const unit = unitOf[state.pair.pictures[0]?.type] ?? "";
   byId("regions-note").textContent = `${count(differences.differing_pixels, "pixel")} of ` +

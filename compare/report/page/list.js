@@ -25,7 +25,11 @@ const stepsOf = ({differences, verdict}) => {
 };
 const falling = (a, b) => (a === b ? 0 : b - a);
 
-// The manifest has the worst first. Sorting keeps this order among equals.
+// The manifest has the worst first. Those of a state without sizes are put in the order of their names. All other orders
+// keep this one among equals.
+const hasNoSize = ({verdict}) => ["same", "new", "missing"].includes(verdict);
+manifest.pairs.sort((a, b) => (a.verdict === b.verdict && hasNoSize(a) ? byName(a, b) : 0));
+
 const orders = {
   worst: () => 0,
   name: byName,
@@ -67,7 +71,7 @@ function rowOf(pair) {
     ? element("img", {src: `data:image/png;base64,${pair.thumbnail}`, alt: "", loading: "lazy", decoding: "async"}) : null;
   const button = element("button", {type: "button", onclick: () => choosePair(pair)},
     element("span", {className: "thumbnail"}, picture), element("span", {className: "pair-name"}, pair.name),
-    element("small", {}, shortFinding(pair)));
+    element("small", {}, shortFinding(pair), ...setAsideMarks(pair)));
   const row = element("li", {}, button, approvalBox(pair));
   row.dataset.verdict = pair.verdict;
   row.classList.toggle("flat", !pair.thumbnail);
@@ -75,15 +79,20 @@ function rowOf(pair) {
 }
 
 function shortFinding({differences, verdict, error, canvas}) {
-  if (verdict === "same" && !differences?.moved_edges?.pixels && !differences?.below_threshold?.pixels) return "same";
+  if (verdict === "same") return "same";
   if (!differences) return verdict === "different" ? "another kind of picture" : error?.cause ?? verdictNames[verdict];
-  const {differing_pixels, moved_edges, below_threshold} = differences;
-  return [
-    canvas ? "another size" : "",
-    differing_pixels ? `${count(differing_pixels, "pixel")}, largest ${largestText(differences)}` : "",
-    moved_edges?.pixels ? `${numberText(moved_edges.pixels)} at moved edges` : "",
-    below_threshold?.pixels ? `${numberText(below_threshold.pixels)} below the threshold` : "",
-  ].filter(Boolean).join("; ") || "0 pixels";
+  const size = differences.differing_pixels ? `, largest ${largestText(differences)}` : "";
+  return `${canvas ? "another size; " : ""}${count(differences.differing_pixels, "pixel")}${size}`;
+}
+
+// How many pixels were set aside, each number with its colour of the heat map.
+function setAsideMarks({differences}) {
+  const mark = (colour, aside, what) => aside?.pixels
+    ? element("span", {className: "mark", title: `${count(aside.pixels, "pixel")} ${what}`},
+        element("i", {className: `swatch ${colour}`}), numberText(aside.pixels), element("span", {className: "hidden"}, ` ${what}`))
+    : null;
+  return [mark("moved", differences?.moved_edges, "at moved edges"),
+    mark("below", differences?.below_threshold, "below the threshold")].filter(Boolean);
 }
 
 // Shows the pairs that are wanted, and the controls as they are.
