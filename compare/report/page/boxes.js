@@ -6,8 +6,7 @@ const boxesApart = 16; // CSS pixels that boxes have between them, unless each b
 const isDifference = (level) => level !== 0 && (level < belowThreshold || level === hottest);
 
 // How far apart in px, along both axes, differing pixels surely share a box: a power of two, and 1 where each box is a
-// region. A window that has no room for the picture makes the scale 0 or less; nothing is further apart than the picture is
-// large.
+// region. Nothing is further apart than the picture is large.
 function reachAt(scale) {
   const largest = Math.max(state.pair.width, state.pair.height);
   let reach = 1;

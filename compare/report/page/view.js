@@ -7,10 +7,11 @@ const largestScale = () => (state.pair.pictures[0].type === "f32" ? 96 : 64);
 
 const stripHeight = () => Math.round(24 * devicePixelRatio); // the title of a pane
 
-// The scale that shows all of the picture, a whole number where it is larger than 1.
+// The scale that shows all of the picture, a whole number where it is larger than 1. In a window without room for it, this is
+// the scale for a pane of one pixel.
 function fitScale() {
-  const pane = state.panes[0];
-  const scale = Math.min(pane.width / state.pair.width, pane.height / state.pair.height) / devicePixelRatio;
+  const [width, height] = [state.panes[0].width, state.panes[0].height].map((size) => Math.max(size, 1));
+  const scale = Math.min(width / state.pair.width, height / state.pair.height) / devicePixelRatio;
   return scale < 1 ? scale : scales.findLast((step) => step <= Math.min(scale, largestScale()));
 }
 
