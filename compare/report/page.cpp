@@ -184,9 +184,19 @@ private:
     return add_crops(comparison, pictures, pair);
   }
 
-  // Adds the surroundings of the worst regions, if there is room.
+  // Whether the small crops have something to show: differences, or small pictures.
+  bool has_small_parts(const Comparison& comparison,
+                       const std::vector<PagePicture>& pictures) const {
+    if (comparison.differences && comparison.differences->differing > 0) return true;
+    return std::all_of(pictures.begin(), pictures.end(), [this](const PagePicture& picture) {
+      return picture.image.pixels() <= options_.small_crops.whole_pixels;
+    });
+  }
+
+  // Adds the surroundings of the worst regions, if there are any and there is room.
   Result<void> add_crops(const Comparison& comparison, const std::vector<PagePicture>& pictures,
                          Json& pair) {
+    if (!has_small_parts(comparison, pictures)) return {};
     if (!takes(comparison, pictures, options_.small_crops, left_for_crops_)) return {};
     return add_inside(comparison, pictures, options_.small_crops, pair);
   }
@@ -195,8 +205,7 @@ private:
                          Json& pair) {
     pair["left_out"] =
         "The whole pictures of this pair would make the page too large. With --html-files, they "
-        "lie "
-        "beside the page. This command makes a page of this pair alone:";
+        "lie beside the page. This command makes a page of this pair alone:";
     pair["alone_command"] = alone_command(comparison);
     return add_crops(comparison, pictures, pair);
   }

@@ -23,7 +23,7 @@ public:
     for (const char* name : {"ref/changed.png", "ref/same.png", "out/same.png", "out/new.png"}) {
       here.write(name, png_of(image));
     }
-    set_sample(image, 3, 3, 0, sample_at(image, 3, 3, 0) ^ 1);
+    set_sample(image, 3, 3, 0, sample_at(image, 3, 3, 0) + 1);
     here.write("out/changed.png", png_of(image));
   }
   Outcome diff(const std::string& options) const { return here.run("diff ref out " + options); }

@@ -199,6 +199,20 @@ test("without its files the page shows the crops that it has, and says what is m
   return {problems: [], close};
 });
 
+test("a new picture whose file is not there has its thumbnail, and says what is missing", async () => {
+  fs.rmSync(file("unseen"), {recursive: true, force: true});
+  fs.mkdirSync(file("unseen/reference"), {recursive: true});
+  write("unseen/test/new.png", encodePng(makePicture(300, 260, 3, 8, (x, y) => [x & 255, y & 255, 9])));
+  const made = makePage("unseen/page.html", "unseen/reference", "unseen/test", "--html-files");
+  fs.rmSync(file("unseen/page-files"), {recursive: true});
+  const {page, problems, close} = await openPage(made);
+  assert.match(await page.textContent("#message"), /no file page-files\/0001\.js/);
+  assert.ok(await page.locator("#message img").isVisible());
+  assert.ok(await page.locator("#readout").isHidden());
+  assert.equal(problems.length, 1, "the browser itself reports the file that is not there");
+  return {problems: [], close};
+});
+
 // What the page says of its boxes: how many there are, and how far apart pixels may be that share one.
 async function boxes(page) {
   const text = await page.textContent("#boxes-text");

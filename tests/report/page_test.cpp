@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <tuple>
 
 #include <nlohmann/json.hpp>
 
@@ -293,6 +294,22 @@ TEST_CASE("of pairs beyond the page's limit it has small crops, up to their own 
   CHECK(samples[std::size_t(at) + 1] == 113);
   const bool has_room = 2 * 7 * tiles[0].width * tiles[0].height <= 12 * 20 * 20;
   CHECK(page.manifest["pairs"][1].contains("pictures") == has_room);
+}
+
+TEST_CASE("a page has no crop of a new picture, which would be any corner of it", "[report]") {
+  const TemporaryDirectory directory;
+  PageOptions options;
+  options.max_bytes = 0;
+  options.small_crops = {.whole_pixels = 20 * 20, .side = 20, .count = 2};
+  for (const auto& [name, width, has_crop] :
+       {std::tuple("small.png", 20, true), std::tuple("large.png", 300, false)}) {
+    const Comparison pair = pair_of(directory, name, 1, width, 20);
+    const Page page =
+        page_of(directory, {compare_files(directory.file("nothing.png"), pair.test.path)}, options);
+    INFO(name);
+    CHECK(page.manifest["pairs"][0].contains("pictures") == has_crop);
+    CHECK(page.manifest["pairs"][0].contains("thumbnail"));
+  }
 }
 
 TEST_CASE("with files beside it, the page has addresses, and the files have the samples",

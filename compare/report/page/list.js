@@ -66,9 +66,11 @@ function changeList() {
   keepAddress();
 }
 
+// Without a text: the name stands beside it.
+const thumbnailImage = (png) => element("img", {src: `data:image/png;base64,${png}`, alt: "", loading: "lazy", decoding: "async"});
+
 function rowOf(pair) {
-  const picture = pair.thumbnail
-    ? element("img", {src: `data:image/png;base64,${pair.thumbnail}`, alt: "", loading: "lazy", decoding: "async"}) : null;
+  const picture = pair.thumbnail ? thumbnailImage(pair.thumbnail) : null;
   const button = element("button", {type: "button", onclick: () => choosePair(pair)},
     element("span", {className: "thumbnail"}, picture), element("span", {className: "pair-name"}, pair.name),
     element("small", {}, shortFinding(pair), ...setAsideMarks(pair)));

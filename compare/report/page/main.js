@@ -59,11 +59,13 @@ async function samplesOf({pictures, beside}) {
 
 // Says over the pictures, or in their place, why they are not whole, and how to get them.
 function showWhatIsMissing(text) {
-  const {pictures, tiled} = state.pair, parts = pictures.length && tiled ? "Here are parts of them, around the worst differences." : "";
-  const why = text ?? (parts && "These pictures are too large for a page.");
+  const {pictures, tiled} = state.pair, {alone_command, thumbnail} = state.facts;
+  const why = text ?? (tiled ? "The whole pictures are too large for a page." : "");
+  const parts = tiled ? "Here is what surrounds the worst differences. " : "";
+  const said = why ? [element("p", {}, parts + why), command(alone_command) ?? ""] : [];
   byId("cropped").hidden = !pictures.length || !why;
-  byId("cropped").replaceChildren(...(why ? [element("p", {}, `${why} ${parts}`), command(state.facts.alone_command) ?? ""] : []));
-  byId("message").replaceChildren(...(pictures.length ? [] : byId("cropped").childNodes));
+  byId("cropped").replaceChildren(...(pictures.length ? said : []));
+  byId("message").replaceChildren(...(pictures.length ? [] : said), pictures.length || !thumbnail ? "" : thumbnailImage(thumbnail));
 }
 
 // Only what works for the open pair.
