@@ -10,8 +10,11 @@ namespace {
 // The Content-Security-Policy: it allows only what the page needs.
 std::string policy_of(const PageParts& parts) {
   std::string policy = "default-src 'none'; img-src data:; ";
-  if (!parts.script_hash.empty())
-    policy += fmt::format("script-src 'sha256-{}'; ", parts.script_hash);
+  if (!parts.script_hash.empty()) {
+    // 'self' means nothing to some browsers where a page was opened without a server.
+    const char* beside = parts.loads_scripts ? " 'self' file:" : "";
+    policy += fmt::format("script-src 'sha256-{}'{}; ", parts.script_hash, beside);
+  }
   return policy + fmt::format("style-src 'sha256-{}'", parts.style_hash);
 }
 

@@ -165,7 +165,15 @@ void add_diff_options(CLI::App& command, DiffRequest& request) {
              {{"steps", HeatMapKind::kSteps}, {"flip", HeatMapKind::kFlip}},
              "what the heat map shows: steps of difference, or the visible error by FLIP [steps]")
       ->group(reports);
-  add_html_output(command, request.page, "one page with everything, to open in a browser")
+  CLI::Option* html =
+      add_html_output(command, request.page, "one page with everything, to open in a browser");
+  html->group(reports);
+  command
+      .add_flag(
+          "--html-files", request.page_files,
+          "with --html page.html: the whole pictures go into the folder page-files beside the "
+          "page, which loads those that are looked at; for many pictures")
+      ->needs(html)
       ->group(reports);
   add_json_output(command, request.json, "everything")->group(reports);
   command.add_option("--junit", request.junit, "JUnit's XML for servers; - is standard output")

@@ -15,6 +15,7 @@
 #include <glassbox/compare/report/junit.h>
 #include <glassbox/compare/report/markdown.h>
 #include <glassbox/compare/report/page.h>
+#include <glassbox/compare/report/page_folder.h>
 
 namespace glassbox::app {
 namespace {
@@ -34,15 +35,38 @@ bool is_input(const std::string& path, const PicturePaths& pair) {
          is_same_file(path, pair.reference + ".fuzzy") || is_same_file(path, stem);
 }
 
-Result<void> check_heat_folder(const std::string& folder, const DiffRequest& request) {
+bool is_file(const std::string& path) {
   std::error_code ignored;
-  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) {
+  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
+}
+
+bool is_compared(const std::string& folder, const DiffRequest& request) {
+  return is_same_file(folder, request.reference) || is_same_file(folder, request.test);
+}
+
+Result<void> check_heat_folder(const DiffRequest& request) {
+  const std::string& folder = *request.heat;
+  if (is_file(folder)) {
     return tl::unexpected(Error{
         folder, "-o", "is a file, but two directories give several heat maps", "name a folder"});
   }
-  if (is_same_file(folder, request.reference) || is_same_file(folder, request.test)) {
+  if (is_compared(folder, request)) {
     return tl::unexpected(Error{folder, "-o", "this is one of the directories to compare",
                                 "name another folder for the heat maps"});
+  }
+  return {};
+}
+
+Result<void> check_page_folder(const DiffRequest& request) {
+  const std::string folder = page_folder(*request.page);
+  if (is_file(folder)) {
+    return tl::unexpected(Error{folder, "--html-files",
+                                "is a file, but the page's pictures need a folder of this name",
+                                "give the page another name"});
+  }
+  if (is_compared(folder, request)) {
+    return tl::unexpected(Error{folder, "--html-files", "this is one of the directories to compare",
+                                "give the page another name"});
   }
   return {};
 }
@@ -111,6 +135,7 @@ Result<void> write_diff_page(const DiffRequest& request, std::span<const Compari
   options.title = title_of(request, directories);
   options.program = std::string("glassbox ") + GLASSBOX_VERSION;
   options.command = diff_command_line(request);
+  options.files_beside = request.page_files;
   return write_page(*request.page, comparisons, options);
 }
 
@@ -123,7 +148,10 @@ Result<void> check_diff_reports(const DiffRequest& request, const Pairing& pairi
   outputs.file(request.page).data(request.json).data(request.junit).data(request.markdown);
   if (!directories) outputs.picture(request.heat);
   if (directories && request.heat) {
-    if (const auto legal = check_heat_folder(*request.heat, request); !legal) return legal;
+    if (const auto legal = check_heat_folder(request); !legal) return legal;
+  }
+  if (request.page && request.page_files) {
+    if (const auto legal = check_page_folder(request); !legal) return legal;
   }
   for (const std::string& path : outputs.paths()) {
     const bool input = is_same_file(path, request.options.mask) ||

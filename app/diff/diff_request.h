@@ -19,6 +19,7 @@ struct DiffRequest {
 
   // The reports. "-" is standard output, except for `heat` and `page`.
   std::optional<std::string> heat, page, json, junit, markdown;
+  bool page_files = false;  // the page's pictures are files beside it
   HeatMapKind heat_of = HeatMapKind::kSteps;
   bool github = false;
 

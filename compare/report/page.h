@@ -1,4 +1,5 @@
-// Comparisons as one HTML page that needs no network and no other file.
+// Comparisons as one HTML page that needs no network and no other file, or as a page with a folder
+// of pictures beside it.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +20,21 @@ struct PageOptions {
   // The largest size of the samples of all pictures in the page, before compression: a pair of 4096
   // x 4096 RGBA with its heat map fits.
   std::uint64_t max_bytes = std::uint64_t(9) << 24;
+  // What the page has of a pair whose whole pictures are not in it, and the largest size of all
+  // these samples.
+  CropLimits small_crops{.whole_pixels = 2 * 96 * 96, .side = 96, .count = 2};
+  std::uint64_t max_crop_bytes = std::uint64_t(1) << 25;
+  // Whether the whole pictures are files in a folder beside the page (page_folder.h), which loads
+  // them when they are looked at. Then max_bytes has no effect.
+  bool files_beside = false;
 };
 
-// Writes the page, completely or not at all. For pairs that differ it has the exact samples, the
-// worst pair first, until max_bytes are used up; the page says which pairs are left out, and how to
-// get a page of them. For pictures that are the same it has only the name, unless there is only one
-// pair. The files are read again, one pair after the other.
+// Writes the page, completely or not at all. It lists all pairs, the worst first. For pairs that
+// differ it has a thumbnail and the exact samples, until max_bytes are used up; then it has crops
+// around the worst regions, until max_crop_bytes are used up. The page says where that happens, and
+// how to get the whole pictures. For pictures that are the same it has only numbers, unless there
+// is only one pair. The files are read again, one pair after the other. Files beside the page are
+// written before the page.
 Result<void> write_page(const std::string& path, std::span<const Comparison> comparisons,
                         const PageOptions& options = {});
 

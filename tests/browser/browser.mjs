@@ -34,12 +34,13 @@ export async function openPage(file, settings = {}, hash = "", script = null, be
   const context = await running.newContext({
     viewport: {width: 1280, height: 800}, reducedMotion: "reduce", colorScheme: "light", ...settings});
   const page = await context.newPage(), problems = [], address = "file://" + encodeURI(file);
+  const beside = address.replace(/\.html$/, "-files/"); // where `diff --html-files` puts pictures
   page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
   page.on("pageerror", (error) => problems.push(error.message));
   page.on("dialog", (dialog) => { problems.push("a dialog: " + dialog.message()); dialog.dismiss(); });
   page.on("request", (request) => {
-    const url = request.url();
-    if (url.split("#")[0] !== address && !url.startsWith("data:")) problems.push("a request: " + url);
+    const url = request.url(), own = url.split("#")[0] === address || url.startsWith(beside);
+    if (!own && !url.startsWith("data:")) problems.push("a request: " + url);
   });
   await page.addInitScript(watchCanvas);
   if (script) await page.addInitScript(script);

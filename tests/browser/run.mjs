@@ -21,6 +21,7 @@ import "./inspect_tests.mjs";
 import "./inspect_ways_tests.mjs";
 import "./layers_tests.mjs";
 import "./match_tests.mjs";
+import "./pairs_tests.mjs";
 import "./stereo_tests.mjs";
 import "./stiffness_tests.mjs";
 import "./study_tests.mjs";

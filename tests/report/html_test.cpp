@@ -28,6 +28,13 @@ TEST_CASE("a page's policy names the hashes of its style and its script, and not
                   "1;</script>\n</body>\n</html>\n") != std::string::npos);
 }
 
+TEST_CASE("a page that loads files allows scripts from where it comes from, and no others") {
+  constexpr std::string_view kScript[] = {"load();"};
+  const PageParts parts{"", "", "STYLE=", kScript, "SCRIPT=", true};
+  CHECK(assemble_page(parts, "t", "").find("script-src 'sha256-SCRIPT=' 'self' file:; ") !=
+        std::string::npos);
+}
+
 TEST_CASE("a page without a script allows none") {
   const std::string page = assemble_page({}, "t", "");
   CHECK(page.find("script") == std::string::npos);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <tuple>
 
 #include <nlohmann/json.hpp>
 
@@ -130,6 +131,7 @@ TEST_CASE("a name cannot leave the text that it stands in", "[report]") {
   for (const std::string& name : names) {
     Comparison comparison = pair_of(directory, "a.png", 9);
     comparison.name = comparison.reference.path = name;
+    comparison.differences.reset();
     comparison.reasons = comparison.hints = comparison.notes = {name};
     comparison.error = Error{name, name, name, name};
     comparisons.push_back(comparison);
@@ -164,7 +166,7 @@ TEST_CASE("the page asks for nothing outside of itself", "[report]") {
   }
 }
 
-TEST_CASE("the worst pair comes first, and the same are names", "[report]") {
+TEST_CASE("the worst pair comes first, and the same come last, without pictures", "[report]") {
   const TemporaryDirectory directory;
   const Comparison same = pair_of(directory, "same.png", 0);
   const Comparison slight = pair_of(directory, "slight.png", 1);
@@ -180,8 +182,10 @@ TEST_CASE("the worst pair comes first, and the same are names", "[report]") {
   std::vector<std::string> names;
   for (const Json& pair : page.manifest["pairs"]) names.push_back(pair["name"]);
   CHECK(names == std::vector<std::string>{sizes.name, "strong.png", "slight.png", missing.name,
-                                          "allowed.png"});
-  CHECK(page.manifest["same"] == Json::array({"same.png"}));
+                                          "allowed.png", "same.png"});
+  CHECK(!page.manifest["pairs"][5].contains("pictures"));
+  CHECK(!page.manifest["pairs"][5].contains("thumbnail"));
+  CHECK(page.manifest["pairs"][5].contains("left_out"));
 }
 
 TEST_CASE("a single pair is shown even where it is the same", "[report]") {
@@ -232,6 +236,7 @@ TEST_CASE("the worst pairs fill the page up to its limit; the others are numbers
   for (std::size_t room = 0; room <= 3; ++room) {
     PageOptions options;
     options.max_bytes = one_pair * room + one_pair / 2;
+    options.max_crop_bytes = 0;
     const Page page = page_of(directory, comparisons, options);
     for (std::size_t i = 0; i < 3; ++i) {
       INFO("room for " << room << " pairs, pair " << i);
@@ -240,6 +245,7 @@ TEST_CASE("the worst pairs fill the page up to its limit; the others are numbers
       CHECK(pair.contains("pictures") == (i < room));
       CHECK(pair.contains("left_out") == (i >= room));
       CHECK(pair["differences"]["differing_pixels"] == 1);
+      CHECK(pair.contains("thumbnail"));
       if (i >= room) {
         CHECK(pair["alone_command"].get<std::string>().find(comparisons[0].reference.path.substr(
                   0, directory.path().string().size())) != std::string::npos);
@@ -266,6 +272,89 @@ TEST_CASE(
   const int at = ((2 - tiles[0].y) * tiles[0].width + (3 - tiles[0].x)) * 3;
   CHECK(samples[std::size_t(at) + 1] == 115);
   CHECK(std::count(samples.begin(), samples.end(), std::uint8_t(115)) == 1);
+}
+
+TEST_CASE("of pairs beyond the page's limit it has small crops, up to their own limit",
+          "[report]") {
+  const TemporaryDirectory directory;
+  const std::vector<Comparison> comparisons = {pair_of(directory, "b.png", 2, 300, 200),
+                                               pair_of(directory, "a.png", 3, 300, 200)};
+  PageOptions options;
+  options.max_bytes = 0;
+  options.small_crops = {.whole_pixels = 100, .side = 20, .count = 2};
+  options.max_crop_bytes = 12 * 20 * 20;  // a crop at (3, 2) is at most 20 x 20, with 7 bytes each
+  const Page page = page_of(directory, comparisons, options);
+  const Json& worst = page.manifest["pairs"][0];
+  CHECK(worst.contains("left_out"));
+  const auto tiles = tiles_of(worst["pictures"]["test"]);
+  REQUIRE(tiles.size() == 1);
+  CHECK(tiles[0].width <= 20);
+  const auto samples = bytes_of(page, worst["pictures"]["test"]);
+  const int at = ((2 - tiles[0].y) * tiles[0].width + (3 - tiles[0].x)) * 3;
+  CHECK(samples[std::size_t(at) + 1] == 113);
+  const bool has_room = 2 * 7 * tiles[0].width * tiles[0].height <= 12 * 20 * 20;
+  CHECK(page.manifest["pairs"][1].contains("pictures") == has_room);
+}
+
+TEST_CASE("a page has no crop of a new picture, which would be any corner of it", "[report]") {
+  const TemporaryDirectory directory;
+  PageOptions options;
+  options.max_bytes = 0;
+  options.small_crops = {.whole_pixels = 20 * 20, .side = 20, .count = 2};
+  for (const auto& [name, width, has_crop] :
+       {std::tuple("small.png", 20, true), std::tuple("large.png", 300, false)}) {
+    const Comparison pair = pair_of(directory, name, 1, width, 20);
+    const Page page =
+        page_of(directory, {compare_files(directory.file("nothing.png"), pair.test.path)}, options);
+    INFO(name);
+    CHECK(page.manifest["pairs"][0].contains("pictures") == has_crop);
+    CHECK(page.manifest["pairs"][0].contains("thumbnail"));
+  }
+}
+
+TEST_CASE("with files beside it, the page has addresses, and the files have the samples",
+          "[report]") {
+  const TemporaryDirectory directory;
+  PageOptions options;
+  options.files_beside = true;
+  options.small_crops = {.whole_pixels = 100, .side = 20, .count = 2};
+  const std::vector<Comparison> comparisons = {pair_of(directory, "b.png", 2, 300, 200),
+                                               pair_of(directory, "same.png", 0),
+                                               pair_of(directory, "a.png", 3, 300, 200)};
+  const Page page = page_of(directory, comparisons, options);
+  CHECK(page.text.find("' 'self' file:; ") != std::string::npos);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Json& pair = page.manifest["pairs"][i];
+    const Json& beside = pair["beside"];
+    CHECK(beside["address"] == "page-files/000" + std::to_string(i + 1) + ".js");
+    CHECK(tiles_of(pair["pictures"]["test"])[0].width <= 20);
+    const std::string file = text_of(directory.file(beside["address"].get<std::string>()));
+    const auto comma = file.find(',');
+    REQUIRE(file.substr(0, comma) ==
+            "glassboxPictures(\"" + beside["stamp"].get<std::string>() + "\"");
+    const Json blobs = Json::parse(file.substr(comma + 1, file.rfind(')') - comma - 1));
+    const Json& test = beside["pictures"]["test"];
+    const auto samples = test::decode_blob<std::uint8_t>(blobs["test"].get<std::string>(),
+                                                         tiles_of(test), test["channels"]);
+    const auto expected = read_stored(directory.file("test-" + std::string(pair["name"])));
+    REQUIRE(expected);
+    CHECK(samples == std::get<std::vector<std::uint8_t>>(expected->samples));
+  }
+  CHECK(!page.manifest["pairs"][2].contains("beside"));
+}
+
+TEST_CASE("a name that a list of names cannot have says why", "[report]") {
+  const TemporaryDirectory directory;
+  const auto why_not = [&](const std::string& name) {
+    Comparison comparison = pair_of(directory, "a.png", 1);
+    comparison.name = name;
+    const Json pair = page_of(directory, {comparison}).manifest["pairs"][0];
+    return pair.contains("not_listed") ? pair["not_listed"].get<std::string>() : "";
+  };
+  CHECK(why_not("a\nb.png").find("line break") != std::string::npos);
+  CHECK(why_not("a\rb.png").find("line break") != std::string::npos);
+  CHECK(why_not("\xff.png").find("UTF-8") != std::string::npos);
+  CHECK(why_not(" # \t'\"\xc3\xa4.png").empty());
 }
 
 TEST_CASE("a page that cannot be written is an error with the path", "[report]") {

@@ -74,11 +74,6 @@ function stepRegion(by) {
   if (length) goToRegion(((state.region ?? (by > 0 ? -1 : 0)) + by + length) % length);
 }
 
-function stepPair(by) {
-  const index = manifest.pairs.indexOf(state.facts) + by;
-  if (manifest.pairs[index]) openPair(index);
-}
-
 function setMode(mode) {
   const radio = document.querySelector(`input[name=mode][value=${mode}]`);
   if (radio.disabled) return;
@@ -132,6 +127,8 @@ const keys = {
   N: () => stepRegion(-1),
   j: () => stepPair(1),
   k: () => stepPair(-1),
+  a: toggleApproval,
+  "/": () => byId("name-filter").focus(),
   "+": () => zoomBy(1, zoomPlace()),
   "=": () => zoomBy(1, zoomPlace()),
   "-": () => zoomBy(-1, zoomPlace()),
@@ -143,9 +140,9 @@ const keys = {
 };
 const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
 
-// Letters work everywhere but in fields; blanks and arrows keep their meaning on the other controls.
+// Letters work everywhere but where one writes or chooses; blanks and arrows keep their meaning on the other controls.
 function onKey(event) {
-  if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input[type=number]")) return;
+  if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input[type=number], input[type=search], select")) return;
   const own = event.target === canvas || event.target === document.body;
   const arrow = arrows[event.key], reach = event.shiftKey ? 10 : 1;
   const act = arrow ? () => moveCursor(arrow[0] * reach, arrow[1] * reach) : keys[event.key];
@@ -209,6 +206,11 @@ function listenToControls() {
   byId("play").onclick = () => playFlicker(!timer);
   byId("speed").oninput = () => playFlicker(timer !== 0);
   byId("divider").oninput = () => setDivider(byId("divider").value / 100);
+  byId("filter").onsubmit = (event) => event.preventDefault();
+  byId("previous").onclick = () => stepPair(-1);
+  byId("next").onclick = () => stepPair(1);
+  byId("name-filter").onkeydown = ({key}) => { if (key === "Enter" || key === "Escape") canvas.focus(); };
+  addEventListener("popstate", followAddress);
   byId("boxes").onchange = update;
   byId("opaque").onchange = () => { paintPair(); update(); };
   byId("range-auto").onclick = () => setRange(state.pair.range.low, state.pair.range.high);

@@ -2,10 +2,32 @@
 
 const sampleTypes = {u8: Uint8Array, u16: Uint16Array, f32: Float32Array};
 
+// Loads the pictures of a pair that lie in a file beside the page, as texts in base64. The file is a script that calls
+// `glassboxPictures`, because a page that was opened without a server may not read files in another way.
+let arrived = null;
+window.glassboxPictures = (stamp, texts) => (arrived = {stamp, texts});
+
+function loadBeside({address, stamp}) {
+  return new Promise((done, fail) => {
+    const script = element("script", {src: address});
+    script.onload = () => {
+      script.remove();
+      if (arrived?.stamp === stamp) done(arrived.texts);
+      else fail(new Error(`The file ${decodeURIComponent(address)} beside this page belongs to another page.`));
+      arrived = null;
+    };
+    script.onerror = () => {
+      script.remove();
+      fail(new Error(`There is no file ${decodeURIComponent(address)} beside this page.`));
+    };
+    document.head.append(script);
+  });
+}
+
 // A picture of the manifest with its samples. They lie in tiles, boxes [x, x + width) x [y, y + height) of the
 // picture: one for the whole of it, or several crops.
-async function decodePicture(facts) {
-  const bytes = await inflate(bytesOfBase64(document.getElementById(facts.blob).textContent));
+async function decodePicture(facts, text) {
+  const bytes = await inflate(bytesOfBase64(text));
   const Samples = sampleTypes[facts.type];
   let offset = 0;
   const tiles = facts.tiles.map(([x, y, width, height]) => {

@@ -1,50 +1,10 @@
-// What is said of a pair in words and numbers, and the list of all pairs.
-
-const verdictNames = {
-  different: "Different",
-  uncompared: "Not compared",
-  missing: "Missing",
-  new: "New",
-  "within-tolerance": "Within tolerance",
-  same: "Same",
-};
+// What is said of a pair in words and numbers.
 
 function showTitle() {
   document.title = byId("title").textContent = manifest.title;
   const counts = Object.keys(verdictNames).map((verdict) => [verdict, numberWith(verdict)]);
   byId("summary").textContent = counts.filter(([, number]) => number > 0)
-    .map(([verdict, number]) => `${number.toLocaleString("en")} ${verdictNames[verdict].toLowerCase()}`).join(" · ");
-}
-
-const numberWith = (verdict) =>
-  manifest.pairs.filter((pair) => pair.verdict === verdict).length + (verdict === "same" ? manifest.same.length : 0);
-
-// The list of pairs; nothing for a single one.
-function listPairs() {
-  if (manifest.pairs.length + manifest.same.length < 2) return;
-  document.body.classList.add("many");
-  for (const verdict of Object.keys(verdictNames)) {
-    const list = element("ol", {});
-    manifest.pairs.forEach((pair, index) => {
-      if (pair.verdict === verdict) list.append(element("li", {}, pairButton(pair, index)));
-    });
-    if (list.children.length) byId("pairs").append(element("h3", {}, verdictNames[verdict]), list);
-  }
-  if (!manifest.same.length) return;
-  byId("pairs").append(element("details", {id: "same"}, element("summary", {}, `${manifest.same.length} the same`),
-    element("ul", {}, ...manifest.same.map((name) => element("li", {}, name)))));
-}
-
-function pairButton(pair, index) {
-  const button = element("button", {type: "button", onclick: () => openPair(index)},
-    element("span", {className: "pair-name"}, pair.name), element("small", {}, shortFinding(pair)));
-  button.dataset.verdict = pair.verdict;
-  return button;
-}
-
-function shortFinding({differences, verdict, error, canvas}) {
-  if (!differences) return verdict === "different" ? "another kind of picture" : error.cause;
-  return `${canvas ? "another size; " : ""}${count(differences.differing_pixels, "pixel")}, largest ${largestText(differences)}`;
+    .map(([verdict, number]) => `${numberText(number)} ${verdictNames[verdict].toLowerCase()}`).join(" · ");
 }
 
 const errorText = ({file, place, cause, remedy}) =>
@@ -60,8 +20,8 @@ function showFindings(pair) {
   byId("verdict").textContent = verdictNames[pair.verdict];
   byId("verdict").dataset.verdict = pair.verdict;
   byId("decisive").textContent = pair.error ? errorText(pair.error) : pair.reasons?.[0] ?? "";
-  byId("pairs").querySelectorAll("button").forEach((button) => button.removeAttribute("aria-current"));
-  pairButtonAt(manifest.pairs.indexOf(pair))?.setAttribute("aria-current", "true");
+  showPlaceInList();
+  showApproval();
   byId("details").replaceChildren(...[
     section("Reasons", sentences(pair.reasons?.slice(1))),
     section("Likely causes", sentences(pair.hints)),
@@ -73,13 +33,6 @@ function showFindings(pair) {
     section("Files", factsTable(pair)),
     section("This report", element("p", {className: "quiet"}, manifest.program), command(manifest.command)),
   ].filter(Boolean));
-}
-
-// The button of the pair with this index of the manifest.
-function pairButtonAt(index) {
-  const {verdict} = manifest.pairs[index];
-  const place = manifest.pairs.slice(0, index).filter((pair) => pair.verdict === verdict).length;
-  return byId("pairs").querySelectorAll(`button[data-verdict="${verdict}"]`)[place];
 }
 
 const section = (title, ...content) => content[0] && element("section", {}, element("h3", {}, title), ...content);
@@ -112,28 +65,32 @@ const metricText = (value) => (typeof value === "number" ? String(Number(value.t
 // A command line with a button that copies it.
 function command(text) {
   if (!text) return null;
-  const code = element("code", {}, text);
-  const button = element("button", {type: "button"}, "Copy");
-  button.onclick = async () => {
-    try {
-      await navigator.clipboard.writeText(text);
-      button.textContent = "Copied";
-    } catch {
-      getSelection().selectAllChildren(code);
-      button.textContent = "Selected: press Ctrl+C";
-    }
-  };
+  const code = element("code", {}, text), button = element("button", {type: "button"}, "Copy");
+  button.onclick = () => copy(text, button, code);
   return element("div", {className: "command"}, code, button);
 }
 
+// Copies the text; where the browser does not allow this, selects it where it stands. The button says which.
+async function copy(text, button, place) {
+  try {
+    await navigator.clipboard.writeText(text);
+    button.textContent = "Copied";
+  } catch {
+    getSelection().selectAllChildren(place);
+    button.textContent = "Selected: press Ctrl+C";
+  }
+}
+
+// The exact regions; the boxes on the pictures are fewer where regions lie close together.
 function listRegions({differences, regions}) {
-  byId("regions").hidden = !differences;
+  const {differing_pixels, moved_edges, below_threshold} = differences ?? {};
+  byId("regions").hidden = !differing_pixels && !moved_edges && !below_threshold;
   if (!differences) return;
   const unit = unitOf[state.pair.pictures[0]?.type] ?? "";
   byId("regions-note").textContent = `${count(differences.differing_pixels, "pixel")} of ` +
     `${differences.compared_pixels.toLocaleString("en")} in ${count(differences.region_count ?? 0, "region")}` +
-    setAsideText(differences) +
     (differences.region_count > regions.length ? `; the worst ${regions.length} are listed` : "");
+  byId("set-aside").replaceChildren(...setAsideLines(differences, unit));
   byId("region-list").replaceChildren(...regions.map((region, index) => {
     const {x, y, width, height} = region.box;
     return element("li", {}, element("button", {type: "button", onclick: () => goToRegion(index)},
@@ -142,9 +99,12 @@ function listRegions({differences, regions}) {
   }));
 }
 
-function setAsideText({moved_edges, below_threshold}) {
-  return (moved_edges ? `; ${count(moved_edges.pixels, "pixel")} at moved edges` : "") +
-    (below_threshold ? `; ${count(below_threshold.pixels, "pixel")} below the threshold` : "");
+// What is counted apart, each with its colour in the heat map.
+function setAsideLines({moved_edges, below_threshold}, unit) {
+  const line = (colour, {pixels, largest}, what) => element("li", {}, element("i", {className: `swatch ${colour}`}),
+    `${count(pixels, "pixel")} ${what}${pixels ? `, by up to ${largestText({largest}, unit)}` : ""}: not counted as different`);
+  return [moved_edges && line("moved", moved_edges, "at moved edges"),
+    below_threshold && line("below", below_threshold, "below the threshold")].filter(Boolean);
 }
 
 function markRegion(index) {

@@ -14,16 +14,15 @@ const state = {
   get showBoxes() { return byId("boxes").checked; },
 };
 
-async function openPair(index) {
-  const facts = manifest.pairs[index];
+async function openPair(facts) {
   Object.assign(state, {facts, pair: null, panes: [], cursor: null, region: null, shown: 0, fitted: true});
   showFindings(facts);
   update();
-  byId("message").textContent = facts.pictures ? "Decoding …" : "";
+  byId("message").textContent = facts.pictures || facts.beside ? "Decoding …" : "";
   const pair = await decodePair(facts);
   if (state.facts !== facts) return; // another one was opened meanwhile
   state.pair = pair;
-  byId("message").replaceChildren(facts.left_out ?? "", command(facts.alone_command) ?? "");
+  showWhatIsMissing(pair.problem ?? facts.left_out);
   offerControls();
   listRegions({...facts, regions: pair.regions});
   setRange(pair.range.low, pair.range.high);
@@ -32,18 +31,41 @@ async function openPair(index) {
 }
 
 async function decodePair(facts) {
-  const decode = (each) => (each ? decodePicture(each) : null);
-  const [reference, test, heat] = await Promise.all(
-    ["reference", "test", "heat"].map((name) => decode(facts.pictures?.[name])));
+  const {pictures: found = {}, textOf, problem} = await samplesOf(facts);
+  const decode = (name) => (found[name] ? decodePicture(found[name], textOf(name)) : null);
+  const [reference, test, heat] = await Promise.all(["reference", "test", "heat"].map(decode));
   const pictures = [reference, test].filter(Boolean);
   return {
-    reference, test, heat, pictures,
+    reference, test, heat, pictures, problem,
     width: Math.max(0, ...pictures.map((picture) => picture.width)),
     height: Math.max(0, ...pictures.map((picture) => picture.height)),
     tiled: pictures.some(({tiles, width, place}) => tiles.length !== 1 || tiles[0].width < (place?.[2] ?? width)),
     range: pictures[0]?.type === "f32" ? finiteRange(pictures) : {low: 0, high: 1},
     regions: facts.differences?.regions ?? [],
   };
+}
+
+// The pictures of a pair, and their samples as text: from beside the page, or those in it.
+async function samplesOf({pictures, beside}) {
+  const inside = {pictures, textOf: (name) => byId(pictures[name].blob).textContent};
+  if (!beside) return inside;
+  try {
+    const texts = await loadBeside(beside);
+    return {pictures: beside.pictures, textOf: (name) => texts[name]};
+  } catch (error) {
+    return {...inside, problem: error.message};
+  }
+}
+
+// Says over the pictures, or in their place, why they are not whole, and how to get them.
+function showWhatIsMissing(text) {
+  const {pictures, tiled} = state.pair, {alone_command, thumbnail} = state.facts;
+  const why = text ?? (tiled ? "The whole pictures are too large for a page." : "");
+  const parts = tiled ? "Here is what surrounds the worst differences. " : "";
+  const said = why ? [element("p", {}, parts + why), command(alone_command) ?? ""] : [];
+  byId("cropped").hidden = !pictures.length || !why;
+  byId("cropped").replaceChildren(...(pictures.length ? said : []));
+  byId("message").replaceChildren(...(pictures.length ? [] : said), pictures.length || !thumbnail ? "" : thumbnailImage(thumbnail));
 }
 
 // Only what works for the open pair.
@@ -54,7 +76,6 @@ function offerControls() {
     document.querySelector(`input[value=${mode}]`).disabled = !possible;
   }
   for (const id of ["controls", "options", "readout"]) byId(id).hidden = !pictures.length;
-  byId("cropped").hidden = !state.pair.tiled;
   byId("opaque-label").hidden = !pictures.some(({channels}) => channels % 2 === 0);
   byId("range").hidden = byId("marks").hidden = pictures[0]?.type !== "f32";
   byId("readout").classList.toggle("tall", pictures[0]?.type === "f32" || pictures[0]?.channels === 4);
@@ -63,6 +84,7 @@ function offerControls() {
   const {moved_edges, below_threshold} = state.facts.differences ?? {};
   byId("moved-edge").hidden = !moved_edges;
   byId("below-threshold").hidden = !below_threshold;
+  byId("boxes-label").hidden = !heat;
   if (heat) paintHeat(heat, heatColours);
 }
 
@@ -154,6 +176,7 @@ function update() {
     frame = 0;
     draw();
     showReadout();
+    byId("boxes-text").textContent = state.showBoxes && state.pair?.heat ? boxesText() : "";
   });
 }
 
@@ -187,7 +210,8 @@ const heatColours = manifest.heat_colours.map(packedColour);
 
 showTitle();
 paintLegend(heatColours);
-listPairs();
+setUpList();
+setUpApproval();
 listenToMouse();
 listenToControls();
-if (manifest.pairs.length) openPair(0);
+if (manifest.pairs.length) followAddress();

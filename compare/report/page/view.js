@@ -7,10 +7,11 @@ const largestScale = () => (state.pair.pictures[0].type === "f32" ? 96 : 64);
 
 const stripHeight = () => Math.round(24 * devicePixelRatio); // the title of a pane
 
-// The scale that shows all of the picture, a whole number where it is larger than 1.
+// The scale that shows all of the picture, a whole number where it is larger than 1. In a window without room for it, this is
+// the scale for a pane of one pixel.
 function fitScale() {
-  const pane = state.panes[0];
-  const scale = Math.min(pane.width / state.pair.width, pane.height / state.pair.height) / devicePixelRatio;
+  const [width, height] = [state.panes[0].width, state.panes[0].height].map((size) => Math.max(size, 1));
+  const scale = Math.min(width / state.pair.width, height / state.pair.height) / devicePixelRatio;
   return scale < 1 ? scale : scales.findLast((step) => step <= Math.min(scale, largestScale()));
 }
 
@@ -137,20 +138,20 @@ function drawValues(layer, seen, origin, cell) {
   }
 }
 
-// A box is at least a few pixels of the screen large, so that a single wrong pixel is found from any distance; of
-// several that would cover each other, the worst is drawn.
+// A box is at least a few pixels of the screen large, so that a single wrong pixel is found from any distance. The chosen
+// region has its own box.
 function drawBoxes(pane) {
   const origin = originOf(pane), cell = cellSize(), least = 8 * devicePixelRatio;
-  const taken = new Set();
-  state.pair.regions.forEach(({box}, i) => {
+  const drawBox = (box, colour) => {
     const width = Math.max(box.width * cell, least), height = Math.max(box.height * cell, least);
     const x = origin.x + (box.x + box.width / 2) * cell - width / 2;
     const y = origin.y + (box.y + box.height / 2) * cell - height / 2;
-    const place = [x - origin.x, y - origin.y, width, height].map((value) => Math.round(value / (2 * least))).join();
-    if (taken.has(place) && i !== state.region) return;
-    taken.add(place);
-    outline(x, y, width, height, i === state.region ? "#ffe14d" : "#fff");
-  });
+    const seen = x < pane.x + pane.width && y < pane.y + pane.height && x + width > pane.x && y + height > pane.y;
+    if (seen) outline(x, y, width, height, colour);
+  };
+  for (const box of shownBoxes()) drawBox(box, "#fff");
+  const region = state.pair.regions[state.region];
+  if (region) drawBox(region.box, "#ffe14d");
 }
 
 function drawDivider(pane) {

@@ -1,0 +1,41 @@
+// The page's address has the open pair and what is asked of the list: #show=different,new&name=TEXT&sort=name&pair=NAME.
+// Parts that are as at the beginning are not in it.
+
+function addressOf(pair) {
+  const parts = new URLSearchParams();
+  if (wanted.show.size < verdicts.length) parts.set("show", [...wanted.show].join());
+  if (wanted.text) parts.set("name", wanted.text);
+  if (wanted.sort !== "worst") parts.set("sort", wanted.sort);
+  if (pair !== manifest.pairs[0] || parts.size) parts.set("pair", pair.name);
+  return `#${parts}`;
+}
+
+// A browser may refuse when the address changes too often; the page works without.
+function setAddress(how, address) {
+  if (location.hash === address || (address === "#" && !location.hash)) return;
+  try {
+    history[how](null, "", address);
+  } catch {}
+}
+
+const keepAddress = () => setAddress("replaceState", addressOf(state.facts));
+
+// Opens a pair as a new step, which the browser's Back button takes back.
+function choosePair(pair) {
+  if (pair === state.facts) return;
+  setAddress("pushState", addressOf(pair));
+  openPair(pair);
+}
+
+// Shows what the address asks for.
+function followAddress() {
+  const parts = new URLSearchParams(location.hash.slice(1));
+  const show = parts.get("show")?.split(",");
+  wanted.show = new Set(verdicts.filter((verdict) => !show || show.includes(verdict)));
+  wanted.text = parts.get("name") ?? "";
+  wanted.sort = Object.hasOwn(orders, parts.get("sort") ?? "") ? parts.get("sort") : "worst";
+  showList();
+  const pair = manifest.pairs.find(({name}) => name === parts.get("pair")) ??
+    (parts.has("show") || parts.has("name") || parts.has("sort") ? listed[0] : null) ?? manifest.pairs[0];
+  if (pair !== state.facts) openPair(pair);
+}
