@@ -15,6 +15,8 @@ list(TRANSFORM archives PREPEND glassbox_)
 set_target_properties(glassbox_flags PROPERTIES EXPORT_NAME flags)
 install(TARGETS glassbox glassbox_flags ${archives} EXPORT glassbox
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# The matchers are found without the library and what it needs.
+install(TARGETS glassbox_matchers EXPORT glassbox-matchers ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 # `glassbox lab` hands out these files and compiles students' code with them. The judges are in the
 # program. Solutions and hidden cases are among these files, except in a glassbox for students.
 set(installed_labs ${PROJECT_SOURCE_DIR}/labs)
@@ -42,11 +44,14 @@ install_what_it_writes(glassbox.fish ${CMAKE_INSTALL_DATADIR}/fish/vendor_comple
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glassbox)
 install(EXPORT glassbox FILE glassbox-targets.cmake NAMESPACE glassbox:: DESTINATION ${package_dir})
+install(EXPORT glassbox-matchers FILE glassbox-matchers-targets.cmake NAMESPACE glassbox:: DESTINATION ${package_dir})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/glassbox-config.cmake.in
   ${PROJECT_BINARY_DIR}/glassbox-config.cmake INSTALL_DESTINATION ${package_dir}
-  NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+  PATH_VARS CMAKE_INSTALL_BINDIR NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/glassbox-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/glassbox-config.cmake
-  ${PROJECT_BINARY_DIR}/glassbox-config-version.cmake DESTINATION ${package_dir})
+  ${PROJECT_BINARY_DIR}/glassbox-config-version.cmake
+  ${PROJECT_SOURCE_DIR}/compare/testing/glassbox-image-test.cmake
+  ${PROJECT_SOURCE_DIR}/compare/testing/glassbox-run-image-test.cmake DESTINATION ${package_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

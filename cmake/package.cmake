@@ -47,5 +47,5 @@ include(CPack)
 add_custom_target(packages
   COMMAND ${CMAKE_CPACK_COMMAND} --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake
   WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
-  DEPENDS glassbox_program ${archives}
+  DEPENDS glassbox_program glassbox_matchers ${archives}
   USES_TERMINAL VERBATIM)

@@ -19,7 +19,8 @@
 
 namespace glassbox {
 
-// Matches an Image of Rgba8, Rgb32f or float, a StoredImage, and a PictureFile.
+// Matches a PictureFile, a PictureView, and every picture that has a picture_view: an Image of
+// Rgba8, Rgb32f or float, a StoredImage, and your own types.
 class GoldenMatcher : public GLASSBOX_CATCH2_MATCHER_BASE {
 public:
   GoldenMatcher(std::string golden, std::string source_file)
@@ -49,18 +50,12 @@ inline GoldenMatcher MatchesGolden(std::string golden, const char* source_file =
 
 namespace Catch {
 
-template <class Pixel>
-struct StringMaker<glassbox::Image<Pixel>> {
-  static std::string convert(const glassbox::Image<Pixel>& image) {
-    return "the picture of " + std::to_string(image.width) + " x " + std::to_string(image.height);
-  }
-};
-
-template <>
-struct StringMaker<glassbox::StoredImage> {
-  static std::string convert(const glassbox::StoredImage& image) {
-    return "the picture of " + std::to_string(image.width) + " x " + std::to_string(image.height);
-  }
+// Tells Catch2 how to print a picture in its messages. It prints the elements of a type that is a
+// range.
+template <class Picture>
+struct StringMaker<
+    Picture, std::enable_if_t<glassbox::has_picture_view<Picture> && !is_range<Picture>::value>> {
+  static std::string convert(const Picture& picture) { return glassbox::picture_name(picture); }
 };
 
 template <>

@@ -1,24 +1,21 @@
 #include <glassbox/compare/testing/golden.h>
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
-#include <variant>
+#include <fstream>
 
-#include <glassbox/compare/pictures/approve.h>
-#include <glassbox/compare/pictures/comparison.h>
-#include <glassbox/compare/pictures/sidecar.h>
-#include <glassbox/compare/report/heat_map_file.h>
-#include <glassbox/compare/report/page.h>
-#include <glassbox/compare/report/text.h>
-#include <glassbox/images/atomic_file.h>
-#include <glassbox/images/read.h>
-#include <glassbox/images/write.h>
+#include <glassbox/compare/testing/picture_bytes.h>
+#include <glassbox/compare/testing/run_diff.h>
 
 namespace glassbox {
+namespace golden {
 namespace {
 
 namespace fs = std::filesystem;
+
+// ---- what the user asks for ----
 
 const char* environment(const char* name) {
   const char* value = std::getenv(name);
@@ -43,58 +40,78 @@ fs::path failure_path(const std::string& golden) {
   for (const fs::path& part : name.is_absolute() ? name.filename() : name.lexically_normal()) {
     if (part != "..") below /= part;
   }
-  return fs::absolute(folder != nullptr ? fs::path(folder) : fs::path("golden-failures")) / below;
+  const fs::path failures(folder != nullptr ? folder : "golden-failures");
+  return (fs::absolute(failures) / below).lexically_normal();
 }
 
-Result<std::vector<std::byte>> encode(const StoredImage& image, const fs::path& golden) {
-  if (golden.extension() == ".png") return encode_png(image);
-  if (golden.extension() == ".pfm") return encode_pfm(image);
-  return tl::unexpected(Error{golden.string(), "", "a golden image is a .png or a .pfm file",
-                              "end its name in .png or .pfm"});
-}
+// ---- files. These functions return what went wrong, or an empty text ----
 
-Result<void> make_folder_of(const fs::path& file) {
+std::string read_bytes(const fs::path& path, Bytes& bytes) {
   std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  if (!error) return {};
-  return tl::unexpected(Error{file.parent_path().string(), "",
-                              "cannot be created: " + error.message(), "check the permissions"});
+  const std::uintmax_t size = fs::file_size(path, error);  // an error for what is no regular file
+  if (!error) {
+    bytes.resize(std::size_t(size));
+    std::ifstream in(path, std::ios::binary);
+    if (in.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size))) return "";
+  }
+  return path.string() + ": cannot be read; check the name and the permissions";
 }
 
-Result<void> save_picture(const Result<std::vector<std::byte>>& bytes, const fs::path& file) {
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (const auto made = make_folder_of(file); !made) return made;
-  return write_file(file.string(), *bytes);
+// Writes beside the file and renames, so that nobody reads half a picture.
+std::string write_bytes(const fs::path& path, const Bytes& bytes) {
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error) {
+    return path.parent_path().string() + ": cannot be created: " + error.message() +
+           "; check the permissions";
+  }
+  const fs::path beside = path.string() + "." + std::to_string(::getpid()) + ".tmp";
+  std::ofstream out(beside, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+  out.close();
+  if (out) fs::rename(beside, path, error);
+  if (out && !error) return "";
+  fs::remove(beside, error);
+  return path.string() + ": cannot be written; check the permissions and the disk";
 }
 
-Result<void> save_picture(const StoredImage& image, const fs::path& file) {
-  return save_picture(encode(image, file), file);
+// ---- the picture, which is in memory or in a file ----
+
+std::string bytes_of(const PictureView& picture, const fs::path& golden, Bytes& bytes) {
+  const std::string why_not = why_not_stored(picture, golden.extension().string());
+  if (!why_not.empty()) return golden.string() + ": " + why_not;
+  bytes = encode(picture, golden.extension().string());
+  return "";
 }
 
-Result<void> save_picture(const PictureFile& picture, const fs::path& file) {
-  return save_picture(read_file(picture.path), file);
+std::string bytes_of(const PictureFile& picture, const fs::path&, Bytes& bytes) {
+  return read_bytes(picture.path, bytes);
 }
 
-// The fast check for equal pictures, which writes no file.
-bool is_same(const StoredImage& image, const fs::path& golden) {
-  const auto expected = read_stored(golden.string());
-  return expected && *expected == image;
+// The fast check for equal pictures, which writes no file and starts no program.
+bool is_same(const PictureView& picture, const fs::path& golden) {
+  const std::string extension = golden.extension().string();
+  Bytes file;
+  return why_not_stored(picture, extension).empty() && read_bytes(golden, file).empty() &&
+         is_stored_in(file, picture, extension);
 }
 
 bool is_same(const PictureFile& picture, const fs::path& golden) {
-  const auto image = read_stored(picture.path);
-  return image && is_same(*image, golden);
+  Bytes expected, made;
+  return read_bytes(golden, expected).empty() && read_bytes(picture.path, made).empty() &&
+         made == expected;
 }
 
-Comparison compare_with_golden(const fs::path& golden, const fs::path& test) {
-  std::error_code ignored;
-  Comparison comparison = compare_pair({golden.filename().string(), golden.string(), test.string(),
-                                        fs::exists(golden, ignored), true});
-  // The remedy of glassbox diff, its approval option, does not exist here; the message ends with
-  // how to approve.
-  if (comparison.verdict == Verdict::kNew) comparison.error->remedy = "look at " + test.string();
-  return comparison;
+// Whether the golden image would be compared with itself, which no test can fail.
+bool is_golden_itself(const PictureView&, const fs::path&) {
+  return false;
 }
+bool is_golden_itself(const PictureFile& picture, const fs::path& golden) {
+  std::error_code ignored;
+  return fs::equivalent(picture.path, golden, ignored);
+}
+
+// ---- what a failure leaves ----
 
 struct FailureFiles {
   fs::path picture, heat, page;
@@ -111,66 +128,93 @@ void remove(const FailureFiles& files) {
   for (const fs::path& file : {files.picture, files.heat, files.page}) fs::remove(file, ignored);
 }
 
-// Writes the heat map and the page beside the test's picture, and returns text that says where they
-// are.
-std::string write_failure_files(const FailureFiles& files, const Comparison& comparison) {
+// Has the heat map and the page written beside the test's picture, and returns text that says where
+// they are. There is no heat map of pictures that cannot be compared pixel by pixel.
+std::string write_failure_files(const FailureFiles& files, const fs::path& golden,
+                                const std::string& program) {
+  std::error_code ignored;
+  fs::remove(files.heat, ignored);
+  fs::remove(files.page, ignored);
+  const DiffRun run = run_diff(program, {golden.string(), files.picture.string(), "-o",
+                                         files.heat.string(), "--html", files.page.string()});
   std::string text = "  picture: " + files.picture.string() + "\n";
-  const auto tell = [&text](const std::string& what, const fs::path& file,
-                            const Result<void>& written) {
-    text += "  " + what + ": " + (written ? file.string() : written.error().message()) + "\n";
-  };
-  if (comparison.differences) {
-    tell("heat map", files.heat, write_heat_map(files.heat.string(), comparison));
-  }
-  PageOptions options;
-  options.title = comparison.name;
-  tell("page", files.page, write_page(files.page.string(), std::span(&comparison, 1), options));
-  return text;
+  if (fs::exists(files.heat, ignored)) text += "  heat map: " + files.heat.string() + "\n";
+  const bool has_page = fs::exists(files.page, ignored);
+  return text + (has_page ? "  page: " + files.page.string() + "\n" : "  no page: " + run.text);
 }
 
-GoldenOutcome approve_golden(const fs::path& golden, const FailureFiles& files) {
-  if (const auto done = approve_picture(golden.string(), files.picture.string()); !done) {
-    return {false, "not approved: " + done.error().message()};
+// ---- the verdict ----
+
+GoldenOutcome approve(const FailureFiles& files, const fs::path& golden,
+                      const std::string& program) {
+  if (environment("CI") != nullptr) {
+    return {false,
+            "not approved: the environment variable CI is set, and a server cannot approve "
+            "pictures; look at " +
+                files.picture.string() + " and approve it on your own machine"};
   }
+  const DiffRun run = run_diff(program, {golden.string(), files.picture.string(), "--approve"});
+  if (run.exit_code != 0) return {false, "not approved: " + run.text};
   remove(files);
   return {true, "approved as the golden image " + golden.string()};
 }
 
 template <class Picture>
 GoldenOutcome check(const Picture& picture, const std::string& golden_name,
-                    const std::string& source_file) {
+                    const std::string& source_file, const std::string& installed) {
   const fs::path golden = golden_path(golden_name, source_file);
   const FailureFiles files = failure_files(failure_path(golden_name));
+  if (is_golden_itself(picture, golden)) {
+    return {false,
+            golden.string() + ": is compared with itself; write the picture to another file"};
+  }
+  // The files of failures are written and deleted without approval.
+  if (is_golden_itself(PictureFile{files.picture.string()}, golden) || files.picture == golden) {
+    return {false, golden.string() +
+                       ": failures would be written over the golden image; name another folder in "
+                       "GLASSBOX_FAILURES"};
+  }
   if (is_same(picture, golden)) {
     remove(files);
     return {true, "equals the golden image " + golden.string()};
   }
-  if (const auto kept = save_picture(picture, files.picture); !kept) {
-    return {false, kept.error().message()};
+  Bytes bytes;
+  if (const std::string wrong = bytes_of(picture, golden, bytes); !wrong.empty()) {
+    return {false, wrong};
   }
-  const Comparison comparison = compare_with_golden(golden, files.picture);
-  if (passes(comparison.verdict)) {
+  if (const std::string wrong = write_bytes(files.picture, bytes); !wrong.empty()) {
+    return {false, wrong};
+  }
+
+  const char* other = environment("GLASSBOX_PROGRAM");
+  const std::string program = other != nullptr ? other : installed;
+  std::error_code ignored;
+  const bool is_new = !fs::exists(golden, ignored);
+  // For a picture without a reference, the program would name its own option of approval.
+  const DiffRun run = is_new ? DiffRun{2, "there is no such reference yet\n"}
+                             : run_diff(program, {golden.string(), files.picture.string()});
+  if (run.exit_code < 0) return {false, "not compared: " + run.text};
+  if (run.exit_code == 0) {
     remove(files);
-    return {true,
-            "matches the golden image " + golden.string() + "\n" + comparison_details(comparison)};
+    return {true, "matches the golden image " + golden.string() + "\n  " + run.text};
   }
-  if (approval_requested()) return approve_golden(golden, files);
-  return {false, "does not match the golden image " + golden.string() + "\n  " +
-                     comparison_line(comparison) + "\n" + comparison_details(comparison) +
-                     write_failure_files(files, comparison) +
+  if (approval_requested()) return approve(files, golden, program);
+  return {false, "does not match the golden image " + golden.string() + "\n  " + run.text +
+                     write_failure_files(files, golden, program) +
                      "  If the picture is right, run the test again with GLASSBOX_APPROVE=1."};
 }
 
 }  // namespace
+}  // namespace golden
 
-GoldenOutcome check_golden(const StoredImage& image, const std::string& golden,
-                           const std::string& source_file) {
-  return check(image, golden, source_file);
+GoldenOutcome check_golden(const PictureView& picture, const std::string& golden,
+                           const std::string& source_file, const std::string& program) {
+  return golden::check(picture, golden, source_file, program);
 }
 
 GoldenOutcome check_golden(const PictureFile& picture, const std::string& golden,
-                           const std::string& source_file) {
-  return check(picture, golden, source_file);
+                           const std::string& source_file, const std::string& program) {
+  return golden::check(picture, golden, source_file, program);
 }
 
 }  // namespace glassbox

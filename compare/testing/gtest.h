@@ -12,7 +12,8 @@
 
 namespace glassbox {
 
-// Matches an Image of Rgba8, Rgb32f or float, a StoredImage, and a PictureFile.
+// Matches a PictureFile, a PictureView, and every picture that has a picture_view: an Image of
+// Rgba8, Rgb32f or float, a StoredImage, and your own types.
 class GoldenMatcher {
 public:
   GoldenMatcher(std::string golden, std::string source_file)
@@ -39,16 +40,10 @@ inline testing::PolymorphicMatcher<GoldenMatcher> MatchesGolden(
   return testing::MakePolymorphicMatcher(GoldenMatcher(std::move(golden), source_file));
 }
 
-// Tells GoogleTest how to print a picture in its messages.
-template <class Pixel>
-void PrintTo(const Image<Pixel>& image, std::ostream* out) {
-  *out << "the picture of " << image.width << " x " << image.height;
-}
-inline void PrintTo(const StoredImage& image, std::ostream* out) {
-  *out << "the picture of " << image.width << " x " << image.height;
-}
-inline void PrintTo(const PictureFile& picture, std::ostream* out) {
-  *out << picture.path;
+// Tells GoogleTest how to print the pictures of this namespace in its messages.
+template <class Picture>
+auto PrintTo(const Picture& picture, std::ostream* out) -> decltype(void(picture_name(picture))) {
+  *out << picture_name(picture);
 }
 
 }  // namespace glassbox

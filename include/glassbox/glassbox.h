@@ -1,7 +1,7 @@
 // Includes all that a program needs to load a scene, choose a view, draw it, ask what happened in
 // the pipeline, and save the picture. README has an example program. Single parts have headers of
 // their own. Headers that only some programs need are not included here: matchers for test
-// frameworks are in <glassbox/compare/testing/catch2.h> and <glassbox/compare/testing/gtest.h>.
+// frameworks are in <glassbox/compare/testing/catch2.h>, gtest.h and doctest.h beside it.
 #pragma once
 
 // Scenes: loaded from files and by name, and written to a file.

@@ -6,7 +6,8 @@ import path from "node:path";
 import {canvasBox, colourAt, crosshair, hover, openPage, press, readout, settled} from "./browser.mjs";
 import {encodePfm, encodePng, makePicture, pixelOf} from "./pictures.mjs";
 
-const program = path.resolve(process.argv[2]), directory = path.resolve(process.argv[3]);
+export const program = path.resolve(process.argv[2]);
+const directory = path.resolve(process.argv[3]);
 export const file = (...names) => path.join(directory, ...names);
 export const tests = [];
 export const test = (name, body) => tests.push({name, body});

@@ -1,7 +1,7 @@
 // The pages of `glassbox bench --html`, `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html`, `glassbox study extremes
 // --html`, `glassbox study report`, `glassbox study scene --html`, `glassbox study stiffness`, `glassbox views geometry --draw`,
 // `glassbox views glyphs find --html`, `glassbox views klt --html`, `glassbox views layers draw --html`, `glassbox views match --html` and
-// `glassbox views voxels --html` in a browser.
+// `glassbox views voxels --html` in a browser, and the recipe for Playwright.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -22,6 +22,7 @@ import "./inspect_ways_tests.mjs";
 import "./layers_tests.mjs";
 import "./match_tests.mjs";
 import "./pairs_tests.mjs";
+import "./recipe_tests.mjs";
 import "./stereo_tests.mjs";
 import "./stiffness_tests.mjs";
 import "./study_tests.mjs";

@@ -28,6 +28,8 @@ run(${CMAKE_COMMAND} -S ${consumer} -B ${work}/consumer-build -G ${generator}
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${work}/consumer-build)
 run(${work}/consumer-build/consumer ${work}/consumer.png)
+run(${CMAKE_COMMAND} -E env --unset=CI --unset=GLASSBOX_APPROVE GLASSBOX_FAILURES=${work}/consumer-failures
+  ${work}/consumer-build/compares ${work}/consumer.png)
 # The files with which students' functions are compiled are there for every lab, and an installed
 # program finds them.
 foreach(part student.h student.cpp cases.h runner.cpp stages.cpp timed.cpp)
@@ -41,3 +43,4 @@ run(${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${work}/cache ${prefix}/bin/glassbox 
   --size 64x36 -o ${work}/lab.png)
 include(${CMAKE_CURRENT_LIST_DIR}/check_library_page.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_golden.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/check_image_tests.cmake)

@@ -5,9 +5,9 @@
 using glassbox::MatchesGolden;
 
 TEST_CASE("the disc is drawn as it was approved") {
-  REQUIRE_THAT(render_disc(), MatchesGolden("images/disc.png"));
+  REQUIRE_THAT(renderer::render_disc(), MatchesGolden("images/disc.png"));
 }
 
 TEST_CASE("the distances are what they were") {
-  CHECK_THAT(render_distances(), MatchesGolden("images/distances.pfm"));
+  CHECK_THAT(renderer::render_distances(), MatchesGolden("images/distances.pfm"));
 }

@@ -5,9 +5,9 @@
 using glassbox::MatchesGolden;
 
 TEST(Disc, IsDrawnAsItWasApproved) {
-  ASSERT_THAT(render_disc(), MatchesGolden("images/disc.png"));
+  ASSERT_THAT(renderer::render_disc(), MatchesGolden("images/disc.png"));
 }
 
 TEST(Disc, HasTheDistancesItHad) {
-  EXPECT_THAT(render_distances(), MatchesGolden("images/distances.pfm"));
+  EXPECT_THAT(renderer::render_distances(), MatchesGolden("images/distances.pfm"));
 }

@@ -1,0 +1,27 @@
+// The files of golden images: PNG for samples of 8 and 16 bits, PFM for floats. The part `images`
+// writes both, too, with libpng, TBB and fmt. These sources need nothing but zlib, and write less.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glassbox/compare/testing/picture_view.h>
+
+namespace glassbox::golden {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// Returns what makes it impossible to store the picture in a file of this extension (".png",
+// ".pfm"), and what to do about it; empty where nothing does. The functions below need a picture of
+// which this is empty.
+std::string why_not_stored(const PictureView& picture, const std::string& extension);
+
+// Encodes the picture. An alpha that is opaque everywhere is left out.
+Bytes encode(const PictureView& picture, const std::string& extension);
+
+// Whether the bytes are a file that stores this picture. Files of other programs may store it in
+// ways that are not recognised here, such as another filter of PNG. The answer is then false.
+bool is_stored_in(const Bytes& file, const PictureView& picture, const std::string& extension);
+
+}  // namespace glassbox::golden

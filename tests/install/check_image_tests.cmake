@@ -1,0 +1,100 @@
+# This file configures tests/install/image_tests, which calls glassbox_add_image_test, against the
+# installed package, and runs its tests: without golden images, with approval, with what differs. It
+# then makes wrong calls. check_install.cmake includes it.
+set(source "${work}/image tests")
+set(build "${work}/image tests build")
+file(REMOVE_RECURSE ${source} ${build})
+file(COPY ${clone}/tests/install/image_tests/ DESTINATION ${source})
+
+function(configure)
+  run(${CMAKE_COMMAND} -S ${source} -B ${build} -G ${generator} -D CMAKE_PREFIX_PATH=${prefix} ${ARGN})
+endfunction()
+
+# run_ctest(ENVIRONMENT... EXPECT NUMBER OF FAILURES, TEXT...) runs all tests. The output has each text.
+function(run_ctest)
+  cmake_parse_arguments(PARSE_ARGV 0 RUN "" "" "EXPECT")
+  list(POP_FRONT RUN_EXPECT failures)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=CI --unset=GLASSBOX_APPROVE --unset=GLASSBOX_PROGRAM
+    --unset=GLASSBOX_FAILURES ${RUN_UNPARSED_ARGUMENTS} ${CMAKE_CTEST_COMMAND} --output-on-failure
+    WORKING_DIRECTORY ${build} OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  foreach(says "${failures} tests failed out of 3" ${RUN_EXPECT})
+    string(FIND "${output}" "${says}" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "ctest with ${RUN_UNPARSED_ARGUMENTS} does not say '${says}':\n${output}")
+    endif()
+  endforeach()
+endfunction()
+
+function(expect_file path)
+  if(NOT EXISTS ${path})
+    message(FATAL_ERROR "${path} is missing")
+  endif()
+endfunction()
+
+configure()
+file(MAKE_DIRECTORY "${build}/a folder/out")
+run_ctest(EXPECT 3 "there is no golden image ${source}/golden/cube.png yet" "page: ${build}/golden-failures/cube.html"
+  "run the test again with GLASSBOX_APPROVE=1")
+run_ctest(GLASSBOX_APPROVE=1 CI=true EXPECT 3 "CI is set")
+if(EXISTS ${source}/golden)
+  message(FATAL_ERROR "golden images were approved with CI set")
+endif()
+run_ctest(GLASSBOX_APPROVE=1 EXPECT 0)
+foreach(picture cube "my picture" tolerant)
+  expect_file("${source}/golden/${picture}.png")
+endforeach()
+run_ctest(EXPECT 0)
+run_ctest(GLASSBOX_PROGRAM=/nowhere EXPECT 3 "/nowhere cannot compare" "GLASSBOX_PROGRAM")
+
+# Another picture fails, except where it is allowed to differ.
+configure("-DBACKGROUND=1,0,0")
+run_ctest(EXPECT 2 "pixels differ, by up to 255/255, in 1 region; first (0, 0)" "heat map: ${build}/golden-failures/cube.heat.png"
+  "heat map: ${build}/a folder/what fails/a folder-and a name.heat.png")
+foreach(trace "golden-failures/cube.html" "golden-failures/cube.heat.png" "a folder/what fails/a folder-and a name.html")
+  expect_file("${build}/${trace}")
+endforeach()
+run_ctest(GLASSBOX_FAILURES=${build}/elsewhere EXPECT 2 "page: ${build}/elsewhere/cube.html")
+run_ctest(GLASSBOX_APPROVE=1 EXPECT 0)
+run_ctest(EXPECT 0)
+if(EXISTS "${build}/golden-failures/cube.html")
+  message(FATAL_ERROR "the test passes, and the page of its failure is still there")
+endif()
+
+# run_wrong(CALL TEXT [runs]) configures a project with this call, and runs its test. It must end with this text.
+# The call is where the variables of find_package are not visible.
+function(run_wrong call says)
+  file(REMOVE_RECURSE "${build} wrong")
+  file(WRITE "${build} wrong/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)\nproject(wrong LANGUAGES NONE)
+function(find)\nfind_package(glassbox REQUIRED COMPONENTS image_tests)\nendfunction()\nfind()\nenable_testing()\nglassbox_add_image_test(${call})\n")
+  execute_process(COMMAND ${CMAKE_COMMAND} -S "${build} wrong" -B "${build} wrong" -G ${generator}
+    -D CMAKE_PREFIX_PATH=${prefix} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(result EQUAL 0 AND ARGV2 STREQUAL "runs")
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=GLASSBOX_PROGRAM ${CMAKE_CTEST_COMMAND} --output-on-failure
+      WORKING_DIRECTORY "${build} wrong" RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  endif()
+  string(REGEX REPLACE "[ \n]+" " " output "${output}")  # CMake breaks long lines
+  string(FIND "${output}" "${says}" at)
+  if(result EQUAL 0 OR at EQUAL -1)
+    message(FATAL_ERROR "glassbox_add_image_test(${call}) ends with ${result} and does not say '${says}':\n${output}")
+  endif()
+endfunction()
+
+set(right "NAME a COMMAND true OUTPUT a.png REFERENCE b.png")
+run_wrong("COMMAND true OUTPUT a.png REFERENCE b.png" "NAME is missing")
+run_wrong("NAME a OUTPUT a.png REFERENCE b.png" "COMMAND is missing")
+run_wrong("NAME a COMMAND true REFERENCE b.png" "OUTPUT is missing")
+run_wrong("NAME a COMMAND true OUTPUT a.png" "REFERENCE is missing")
+run_wrong("NAME a COMMAND true OUTPUT a.pfm REFERENCE b.png" "different extensions")
+run_wrong("NAME a COMMAND true \"\" OUTPUT a.png REFERENCE b.png" "an empty argument")
+run_wrong("twice ${right}" "it does not know \"twice\"")
+run_wrong("${right} THRESHOLD" "there is no value for THRESHOLD")
+run_wrong("${right} THRESHOLD 2" "THRESHOLD is \"2\"")
+run_wrong("${right} MAX_DIFFERING few" "MAX_DIFFERING is \"few\"")
+run_wrong("${right} FUZZY maxDifference=0-1;totalPixels=0-4" "FUZZY is \"maxDifference=0-1\"")
+# These errors are found when the test runs.
+run_wrong("${right}" "the command has not written" runs)
+run_wrong("NAME a COMMAND false OUTPUT a.png REFERENCE b.png" "the command ended with 1" runs)
+run_wrong("NAME a COMMAND /nowhere/at-all OUTPUT a.png REFERENCE b.png" "/nowhere/at-all" runs)
+run_wrong("NAME a COMMAND true OUTPUT CMakeLists.txt REFERENCE CMakeLists.txt" "OUTPUT is REFERENCE itself" runs)
+run_wrong("NAME a COMMAND cmake -E touch a.png OUTPUT a.png REFERENCE b.png OPTIONS --sise" "--sise" runs)
+message("image tests of ctest: all as it should be")

@@ -1,0 +1,188 @@
+// Tests the files of golden images: the library reads them back, and whatever is not the same
+// picture is not taken for it.
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "tests/compare/pictures.h"
+#include "tests/support/catch.h"
+
+#include <glassbox/compare/testing/picture_bytes.h>
+#include <glassbox/images/write.h>
+
+namespace glassbox::test {
+namespace {
+
+using golden::Bytes;
+
+std::span<const std::byte> as_bytes_of(const Bytes& file) {
+  return std::as_bytes(std::span(file));
+}
+
+Bytes bytes_of(const std::vector<std::byte>& file) {
+  const auto* first = reinterpret_cast<const std::uint8_t*>(file.data());
+  return {first, first + file.size()};
+}
+
+std::string extension_of(Format format) {
+  return format == Format::kFloats ? ".pfm" : ".png";
+}
+
+// Pictures of every format and number of channels that can be stored, and of many sizes. Flat
+// pictures have runs that compress; noise has none.
+std::vector<StoredImage> random_pictures() {
+  std::vector<StoredImage> pictures;
+  Random random(44);
+  for (int round = 0; round < 8; ++round) {
+    for (const Format format : kFormats) {
+      for (int channels = 1; channels <= 4; ++channels) {
+        if (format == Format::kFloats && channels % 2 == 0) continue;
+        const int width = int(random.integer(1, 40)), height = int(random.integer(1, 40));
+        pictures.push_back(round % 2 == 0 ? random_picture(random, width, height, channels, format)
+                                          : blank(width, height, channels, format));
+      }
+    }
+  }
+  return pictures;
+}
+
+Format format_of(const StoredImage& image) {
+  return kFormats[image.samples.index()];
+}
+
+bool is_stored_in(const Bytes& file, const StoredImage& image) {
+  return golden::is_stored_in(file, picture_view(image), extension_of(format_of(image)));
+}
+
+Bytes encoded(const StoredImage& image) {
+  const PictureView view = picture_view(image);
+  REQUIRE(golden::why_not_stored(view, extension_of(format_of(image))).empty());
+  return golden::encode(view, extension_of(format_of(image)));
+}
+
+// The picture with one of its samples changed by the least amount.
+StoredImage with_a_defect(StoredImage image, Random& random) {
+  std::visit(
+      [&](auto& samples) {
+        using Sample = typename std::decay_t<decltype(samples)>::value_type;
+        auto& sample = samples[std::size_t(random.integer(0, std::int64_t(samples.size()) - 1))];
+        Bytes bytes(sizeof(Sample));
+        std::memcpy(bytes.data(), &sample, sizeof(Sample));
+        bytes.front() ^= 1;
+        std::memcpy(&sample, bytes.data(), sizeof(Sample));
+      },
+      image.samples);
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("the library reads the matchers' files back, sample for sample") {
+  for (const StoredImage& image : random_pictures()) {
+    INFO(image.width << " x " << image.height << ", " << channel_names(image) << ", "
+                     << format_name(image));
+    const auto back = decode_stored(as_bytes_of(encoded(image)));
+    REQUIRE(back);
+    CHECK(*back == image);
+  }
+}
+
+TEST_CASE("a picture is found in its own file and in the library's, and no other is") {
+  Random random(45);
+  for (const StoredImage& image : random_pictures()) {
+    INFO(image.width << " x " << image.height << ", " << channel_names(image) << ", "
+                     << format_name(image));
+    const Bytes file = encoded(image);
+    CHECK(is_stored_in(file, image));
+    const std::vector<TextEntry> text{{"Software", "some program"}};
+    const auto other =
+        format_of(image) == Format::kFloats ? encode_pfm(image) : encode_png(image, text);
+    REQUIRE(other);
+    CHECK(is_stored_in(bytes_of(*other), image));
+    CHECK_FALSE(is_stored_in(file, with_a_defect(image, random)));
+    StoredImage turned = image;
+    std::swap(turned.width, turned.height);
+    CHECK(is_stored_in(file, turned) == (image.width == image.height));
+  }
+}
+
+TEST_CASE("rows may lie apart, and from the bottom to the top") {
+  Random random(46);
+  for (const StoredImage& image : random_pictures()) {
+    const std::ptrdiff_t row = image.width * image.channels, step = row + random.integer(0, 9);
+    std::visit(
+        [&](const auto& samples) {
+          using Samples = std::decay_t<decltype(samples)>;
+          Samples down(std::size_t(step * image.height)), up(down.size());
+          for (int y = 0; y < image.height; ++y) {
+            const auto from = samples.begin() + y * row;
+            std::copy(from, from + row, down.begin() + y * step);
+            std::copy(from, from + row, up.begin() + (image.height - 1 - y) * step);
+          }
+          const std::string extension = extension_of(format_of(image));
+          const auto* top_row = up.data() + (image.height - 1) * step;
+          CHECK(golden::encode({image.width, image.height, image.channels, down.data(), step},
+                               extension) == encoded(image));
+          CHECK(golden::encode({image.width, image.height, image.channels, top_row, -step},
+                               extension) == encoded(image));
+        },
+        image.samples);
+  }
+}
+
+TEST_CASE("an alpha that is opaque everywhere is not stored, as in the library's files") {
+  Image<Rgba8> image(5, 4, {1, 2, 3, 255});
+  const auto of_library = [&] { return *decode_stored(*encode_png(image)); };
+  const auto of_matchers = [&] {
+    return *decode_stored(as_bytes_of(golden::encode(picture_view(image), ".png")));
+  };
+  CHECK(of_matchers().channels == 3);
+  CHECK(of_matchers() == of_library());
+  image.at(2, 3).a = 254;
+  CHECK(of_matchers().channels == 4);
+  CHECK(of_matchers() == of_library());
+}
+
+TEST_CASE("a broken file is no picture's, and no byte beyond its end is read") {
+  Random random(47);
+  const StoredImage image = random_picture(random, 9, 7, 3, Format::kBytes);
+  const Bytes file = encoded(image);
+  for (std::size_t size = 0; size < file.size() - 12; ++size) {
+    const Bytes part(file.begin(), file.begin() + std::ptrdiff_t(size));
+    CHECK_FALSE(is_stored_in(part, image));
+  }
+  // A changed checksum of a chunk is not noticed here; the samples are the same.
+  for (int round = 0; round < 2000; ++round) {
+    Bytes broken = file;
+    broken[std::size_t(random.integer(0, std::int64_t(file.size()) - 1))] ^=
+        std::uint8_t(random.integer(1, 255));
+    if (is_stored_in(broken, image)) {
+      const auto back = decode_stored(as_bytes_of(broken));
+      CHECK((!back || *back == image));
+    }
+  }
+}
+
+TEST_CASE("what cannot be stored is refused with a reason and a remedy") {
+  const std::uint8_t bytes[16] = {};
+  const float floats[16] = {};
+  const auto refused = [](const PictureView& view, const std::string& extension) {
+    return golden::why_not_stored(view, extension);
+  };
+  const std::uint8_t* none = nullptr;
+  CHECK(refused({2, 2, 4, bytes}, ".png").empty());
+  CHECK(refused({2, 2, 3, floats}, ".pfm").empty());
+  CHECK(refused({2, 2, 4, bytes}, ".jpg").find("end its name in") != std::string::npos);
+  CHECK(refused({0, 2, 4, bytes}, ".png").find("0 x 2") != std::string::npos);
+  CHECK(refused({1 << 20, 1 << 20, 1, bytes}, ".png").find("2^28") != std::string::npos);
+  CHECK(refused({2, 2, 5, bytes}, ".png").find("5 channels") != std::string::npos);
+  CHECK(refused({2, 2, 4, none}, ".png").find("too few samples") != std::string::npos);
+  CHECK(refused({2, 2, 4, bytes, 2}, ".png").find("not in pixels") != std::string::npos);
+  CHECK(refused({2, 2, 4, bytes, -2}, ".png").find("not in pixels") != std::string::npos);
+  CHECK(refused({2, 2, 4, bytes}, ".pfm").find(".png") != std::string::npos);
+  CHECK(refused({2, 2, 3, floats}, ".png").find(".pfm") != std::string::npos);
+  CHECK(refused({2, 2, 4, floats}, ".pfm").find("alpha") != std::string::npos);
+}
+
+}  // namespace glassbox::test
