@@ -102,16 +102,14 @@ std::uint8_t heat_level(std::uint32_t steps, const StoredImage& image) {
 
 Image<std::uint8_t> heat_map(const PicturePair& pair) {
   Image<std::uint8_t> levels(pair.reference.width, pair.reference.height);
-  std::vector<std::uint32_t> steps(std::size_t(levels.width));
-  std::vector<PixelKind> kinds(steps.size());
-  for (int y = 0; y < levels.height; ++y) {
-    row_differences(pair, y, steps);
-    row_kinds(pair, y, steps, kinds);
+  for (DifferenceRows rows(pair); rows.next();) {
+    const auto steps = rows.steps();
+    const auto kinds = rows.kinds();
     for (int x = 0; x < levels.width; ++x) {
       const auto i = std::size_t(x);
-      levels.at(x, y) = pair.selection.compares(x, y)
-                            ? level_of_kind(kinds[i], steps[i], pair.reference)
-                            : kHeatNotCompared;
+      levels.at(x, rows.y()) = pair.selection.compares(x, rows.y())
+                                   ? level_of_kind(kinds[i], steps[i], pair.reference)
+                                   : kHeatNotCompared;
     }
   }
   return levels;
