@@ -37,7 +37,7 @@ StoredImage on_canvas(const StoredImage& image, const Canvas& canvas, const Pixe
 Selection on_canvas(const Selection& own, const Canvas& canvas);
 
 // Where the test's top left corner lies in the reference's pixels if the overlap differs least: the
-// sum of each pixel's largest difference in steps. Of several such places the first one, by rows.
+// sum of each pixel's largest difference in steps; the first one by rows, if there are several.
 // In each direction the smaller picture lies within the larger one, so a coordinate is negative or
 // 0 where the test is the larger one. Every place is tried, at first on some pixels; the best of
 // these are compared completely.

@@ -88,17 +88,9 @@ void exclude_row(const Selection& selection, int y, std::span<std::uint32_t> ste
   }
 }
 
-PixelKind kind_of_difference(const PicturePair& pair, PixelPosition pixel) {
-  const auto& [threshold, moved_edges] = pair.set_aside;
-  if (threshold && perceived_distance(pair, pixel) <= *threshold) return PixelKind::kBelowThreshold;
-  if (moved_edges && is_moved_edge(pair, pixel)) return PixelKind::kMovedEdge;
-  return PixelKind::kDifferent;
-}
-
-// Counts the pixels of row y that are set aside, and clears their steps.
-void set_aside(const PicturePair& pair, int y, std::span<PixelKind> kinds,
-               std::span<std::uint32_t> steps, Differences& found) {
-  row_kinds(pair, y, steps, kinds);
+// Counts the pixels of a row that are set aside, and clears their steps.
+void set_aside(std::span<const PixelKind> kinds, std::span<std::uint32_t> steps,
+               Differences& found) {
   for (std::size_t x = 0; x < steps.size(); ++x) {
     if (kinds[x] != PixelKind::kMovedEdge && kinds[x] != PixelKind::kBelowThreshold) continue;
     auto& count = kinds[x] == PixelKind::kMovedEdge ? found.moved_edges : found.below_threshold;
@@ -154,29 +146,52 @@ bool row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> st
       pair.reference.samples);
 }
 
-void row_kinds(const PicturePair& pair, int y, std::span<const std::uint32_t> steps,
-               std::span<PixelKind> kinds) {
-  for (std::size_t x = 0; x < steps.size(); ++x) {
-    kinds[x] = steps[x] == 0 ? PixelKind::kSame : kind_of_difference(pair, {int(x), y});
+DifferenceRows::DifferenceRows(const PicturePair& pair)
+    : pair_(pair), rows_together_(pair.set_aside.moved_edges ? kMovedEdgeRows : 1) {
+  const int rows = std::min(rows_together_, pair.reference.height);
+  const std::size_t pixels = std::size_t(rows) * std::size_t(pair.reference.width);
+  steps_.resize(pixels);
+  kinds_.resize(pixels);
+  may_differ_.resize(std::size_t(rows));
+}
+
+bool DifferenceRows::next() {
+  ++y_;
+  if (y_ == pair_.reference.height) return false;
+  if (row() == 0) compute_together();
+  return true;
+}
+
+void DifferenceRows::compute_together() {
+  const int rows = std::min(rows_together_, pair_.reference.height - y_);
+  for (int row = 0; row < rows; ++row) {
+    const auto steps = row_of(steps_, row);
+    const auto kinds = row_of(kinds_, row);
+    may_differ_[std::size_t(row)] = row_differences(pair_, y_ + row, steps);
+    std::transform(steps.begin(), steps.end(), kinds.begin(), [](std::uint32_t step) {
+      return step == 0 ? PixelKind::kSame : PixelKind::kDifferent;
+    });
+    if (pair_.set_aside.threshold) mark_below_threshold(pair_, y_ + row, kinds);
   }
+  if (!pair_.set_aside.moved_edges) return;
+  const std::size_t pixels = std::size_t(rows) * std::size_t(pair_.reference.width);
+  mark_moved_edges(pair_, y_, std::span(kinds_).first(pixels));
 }
 
 Differences find_differences(const PicturePair& pair, std::size_t kept_regions) {
   Differences found;
   found.compared = pair.selection.compared_pixels();
   RegionFinder regions(pair.reference.width, kept_regions);
-  std::vector<std::uint32_t> steps(std::size_t(pair.reference.width));
-  std::vector<PixelKind> kinds(pair.set_aside.empty() ? 0 : steps.size());
-  for (int y = 0; y < pair.reference.height; ++y) {
-    const bool may_differ = row_differences(pair, y, steps);
-    if (may_differ && !pair.set_aside.empty()) set_aside(pair, y, kinds, steps, found);
-    regions.add_row(y, steps);
-    if (!may_differ) continue;
+  for (DifferenceRows rows(pair); rows.next();) {
+    const auto steps = rows.steps();
+    if (rows.may_differ() && !pair.set_aside.empty()) set_aside(rows.kinds(), steps, found);
+    regions.add_row(rows.y(), steps);
+    if (!rows.may_differ()) continue;
     for (int x = 0; x < pair.reference.width; ++x) {
       if (steps[std::size_t(x)] == 0) continue;
-      if (found.differing++ == 0) found.first = {x, y};
+      if (found.differing++ == 0) found.first = {x, rows.y()};
       found.largest = std::max(found.largest, steps[std::size_t(x)]);
-      grow(found.box, x, y);
+      grow(found.box, x, rows.y());
     }
   }
   found.regions = regions.worst();

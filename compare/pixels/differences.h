@@ -82,12 +82,41 @@ struct Differences {
 
 enum class PixelKind : std::uint8_t { kSame, kDifferent, kMovedEdge, kBelowThreshold };
 
-// What the differences of row y are, from the steps that row_differences computed. A pixel that is
-// below the threshold is not also counted as a moved edge. `kinds` has one element per pixel.
-void row_kinds(const PicturePair& pair, int y, std::span<const std::uint32_t> steps,
-               std::span<PixelKind> kinds);
+// The rows of a pair from the top: how much each pixel differs, and what its difference is. A pixel
+// that is below the threshold is not also counted as a moved edge. Some rows are computed together;
+// the memory is proportional to them.
+class DifferenceRows {
+public:
+  explicit DifferenceRows(const PicturePair& pair);
 
-// Makes one pass over the rows; the memory is proportional to a row and to the regions kept.
+  // Goes to the next row, at first to row 0. Returns false after the last row.
+  bool next();
+  int y() const { return y_; }
+  // In steps, as row_differences computes them. The caller may change them.
+  std::span<std::uint32_t> steps() { return row_of(steps_, row()); }
+  std::span<const PixelKind> kinds() { return row_of(kinds_, row()); }
+  // False if the rows of both pictures are equal.
+  bool may_differ() const { return may_differ_[std::size_t(row())]; }
+
+private:
+  void compute_together();
+  int row() const { return y_ % rows_together_; }
+  template <class T>
+  std::span<T> row_of(std::vector<T>& rows, int row) const {
+    const auto width = std::size_t(pair_.reference.width);
+    return std::span<T>(rows).subspan(std::size_t(row) * width, width);
+  }
+
+  PicturePair pair_;
+  int rows_together_;  // how many rows are computed together
+  int y_ = -1;
+  std::vector<std::uint32_t> steps_;
+  std::vector<PixelKind> kinds_;
+  std::vector<bool> may_differ_;
+};
+
+// Makes one pass over the rows; the memory is proportional to a DifferenceRows and to the regions
+// kept.
 Differences find_differences(const PicturePair& pair, std::size_t kept_regions = 100);
 
 }  // namespace glassbox

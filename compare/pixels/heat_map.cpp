@@ -118,16 +118,14 @@ std::uint8_t heat_level(std::uint32_t steps, const StoredImage& image) {
 Image<std::uint8_t> heat_map(const PicturePair& pair) {
   const HeatLevels heat(pair.reference);
   Image<std::uint8_t> levels(pair.reference.width, pair.reference.height, kHeatSame);
-  std::vector<std::uint32_t> steps(std::size_t(levels.width));
-  std::vector<PixelKind> kinds(steps.size());
-  for (int y = 0; y < levels.height; ++y) {
-    const bool may_differ = row_differences(pair, y, steps);
-    if (!may_differ && pair.selection.includes_all()) continue;  // kHeatSame everywhere
-    row_kinds(pair, y, steps, kinds);
+  for (DifferenceRows rows(pair); rows.next();) {
+    if (!rows.may_differ() && pair.selection.includes_all()) continue;  // kHeatSame everywhere
+    const auto steps = rows.steps();
+    const auto kinds = rows.kinds();
     for (int x = 0; x < levels.width; ++x) {
       const auto i = std::size_t(x);
-      levels.at(x, y) =
-          pair.selection.compares(x, y) ? heat.of(kinds[i], steps[i]) : kHeatNotCompared;
+      levels.at(x, rows.y()) =
+          pair.selection.compares(x, rows.y()) ? heat.of(kinds[i], steps[i]) : kHeatNotCompared;
     }
   }
   return levels;

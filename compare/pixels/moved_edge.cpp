@@ -4,17 +4,20 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
+#include <memory>
 #include <type_traits>
 #include <vector>
+
+#include <glassbox/compare/pixels/edge_rows.h>
+#include <glassbox/compare/pixels/edge_tile.h>
 
 namespace glassbox {
 namespace {
 
-constexpr int kEdge = 1;      // px on each side: where the first rule looks for an edge
-constexpr int kContrast = 2;  // px on each side: what an edge can be made of
-constexpr int kAround = 3;    // px on each side: what tells the movement
-constexpr int kReach = kAround + 1;
+constexpr int kContrast = 2;         // px on each side: what an edge can be made of
+constexpr int kAround = 3;           // px on each side: what tells the movement
+constexpr int kReach = kAround + 1;  // px on each side: what their slopes are made of
+static_assert(kReach == kTileMargin && kMovedEdgeRows == kTileHeight);
 
 constexpr double kSlackOfRange = 1;        // of the first rule, in parts of the range
 constexpr double kSlackOfContrast = 0.25;  // of the second rule, in parts of the contrast
@@ -23,103 +26,75 @@ constexpr double kSlackOfContrast = 0.25;  // of the second rule, in parts of th
 constexpr double kSlackOfSteps = 2;
 
 struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
+  double low = 0, high = 0;
   double length() const { return high - low; }
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
   bool has(double value, double slack) const {
     return low - slack <= value && value <= high + slack;
   }
 };
 
-// The values of one channel around a pixel.
-class Patch {
-public:
-  double& at(int x, int y) { return values_[index(x, y)]; }
-  double at(int x, int y) const { return values_[index(x, y)]; }
-
-private:
-  static constexpr int kSide = 2 * kReach + 1;
-  static std::size_t index(int x, int y) { return std::size_t((y + kReach) * kSide + x + kReach); }
-  std::array<double, std::size_t(kSide* kSide)> values_;
-};
-
-// Both pictures around a pixel, by channel.
-struct Surroundings {
-  int channels = 0;
+// A tile with what is computed for its rows before pixels are judged.
+template <class Value>
+struct Workspace {
   double rounding = 0;  // the slack for rounded values
-  std::array<Patch, 4> reference, test;
+  EdgeTile<Value> values;
+  std::array<ProductRow<Value>, std::tuple_size_v<TilePlane<Value>>> products;
 };
 
-// Loads one picture's pixel (x, y) into the patches. Returns whether it is finite.
-template <class Sample>
-bool load_pixel(const Sample* pixel, int channels, int x, int y, std::array<Patch, 4>& patches) {
-  constexpr double kFull = std::is_integral_v<Sample> ? std::numeric_limits<Sample>::max() : 1;
-  const bool has_alpha = channels % 2 == 0;
-  const double alpha = has_alpha ? double(pixel[channels - 1]) / kFull : 1;
-  bool finite = true;
-  for (int channel = 0; channel < channels; ++channel) {
-    const bool colour = has_alpha && channel < channels - 1;
-    const double value = double(pixel[channel]) * (colour ? alpha : 1);
-    patches[std::size_t(channel)].at(x, y) = value;
-    finite &= std::isfinite(value);
+// What the pixels of one row are judged by.
+template <class Value>
+struct RowFacts {
+  int channels = 0;
+  // By channel: the 3 x 3 pixels in each picture, and the 5 x 5 in both.
+  std::array<RowRanges<Value>, 4> near_reference, near_test, contrast;
+  ProductRow<Value> sums;
+};
+
+template <class Value>
+void find_facts(const Workspace<Value>& work, int y, RowFacts<Value>& facts) {
+  facts.channels = work.values.channels;
+  const auto above = std::size_t(y - kContrast), below = std::size_t(y + kContrast);
+  for (std::size_t c = 0; c < std::size_t(facts.channels); ++c) {
+    const TilePlane<Value>&reference = work.values.reference[c], &test = work.values.test[c];
+    RowRanges<Value> columns = column_ranges(reference, y);
+    const RowRanges<Value> test_columns = column_ranges(test, y);
+    facts.near_reference[c] = widened(columns);
+    facts.near_test[c] = widened(test_columns);
+    add_rows(test_columns.low, test_columns.high, columns);
+    add_rows(reference[above], reference[below], columns);
+    add_rows(test[above], test[below], columns);
+    facts.contrast[c] = widened(widened(columns));
   }
-  return finite;
+  facts.sums = sums_around(work.products, y);
 }
 
-// Loads the pixels with a distance of (inner, outer] from the pixel; beyond the picture's border
-// the nearest pixels are repeated. Returns whether all values are finite.
-template <class Sample>
-bool load_ring(const PicturePair& pair, const std::vector<Sample>& reference, PixelPosition pixel,
-               int inner, int outer, Surroundings& around) {
-  const auto& test = std::get<std::vector<Sample>>(pair.test.samples);
-  const int width = pair.reference.width, height = pair.reference.height;
-  around.channels = pair.reference.channels;
-  around.rounding = std::is_integral_v<Sample> ? kSlackOfSteps : 0;
-  bool finite = true;
-  for (int y = -outer; y <= outer; ++y) {
-    const int from_y = std::clamp(pixel.y + y, 0, height - 1);
-    for (int x = -outer; x <= outer; ++x) {
-      if (std::max(std::abs(x), std::abs(y)) <= inner) continue;
-      const int from_x = std::clamp(pixel.x + x, 0, width - 1);
-      const std::size_t at = (std::size_t(from_y) * std::size_t(width) + std::size_t(from_x)) *
-                             std::size_t(around.channels);
-      const auto& own = pair.selection.compares(from_x, from_y) ? test : reference;
-      finite &= load_pixel(&reference[at], around.channels, x, y, around.reference);
-      finite &= load_pixel(&own[at], around.channels, x, y, around.test);
-    }
-  }
-  return finite;
+template <class Value>
+Range range_at(const RowRanges<Value>& ranges, int x) {
+  return {double(ranges.low[std::size_t(x)]), double(ranges.high[std::size_t(x)])};
 }
 
-bool load_ring(const PicturePair& pair, PixelPosition pixel, int inner, int outer,
-               Surroundings& around) {
-  return std::visit(
-      [&](const auto& samples) { return load_ring(pair, samples, pixel, inner, outer, around); },
-      pair.reference.samples);
-}
-
-void add_square(const Patch& patch, int radius, Range& range) {
-  for (int y = -radius; y <= radius; ++y) {
-    for (int x = -radius; x <= radius; ++x) range.add(patch.at(x, y));
+template <class Value>
+bool is_finite_around(const TilePlane<std::uint8_t>& finite, int x, int y) {
+  if constexpr (std::is_same_v<Value, float>) return true;
+  for (int row = y - kReach; row <= y + kReach; ++row) {
+    const auto first = finite[std::size_t(row)].begin() + x - kReach;
+    if (!std::all_of(first, first + 2 * kReach + 1, [](auto is) { return is != 0; })) return false;
   }
+  return true;
 }
 
 // The first rule, for the value that one picture has among the other's pixels.
-bool lies_at_edge(const Patch& other, double value, double rounding) {
-  Range range;
-  add_square(other, kEdge, range);
+bool lies_at_edge(const Range& range, double value, double rounding) {
   return range.has(value, kSlackOfRange * range.length() + rounding);
 }
 
-bool has_edge(const Surroundings& around) {
-  for (std::size_t c = 0; c < std::size_t(around.channels); ++c) {
-    const Patch &reference = around.reference[c], &test = around.test[c];
-    if (!lies_at_edge(reference, test.at(0, 0), around.rounding) ||
-        !lies_at_edge(test, reference.at(0, 0), around.rounding)) {
+template <class Value>
+bool has_edge(const Workspace<Value>& work, const RowFacts<Value>& facts, int x, int y) {
+  for (std::size_t c = 0; c < std::size_t(facts.channels); ++c) {
+    const Value reference = work.values.reference[c][std::size_t(y)][std::size_t(x)];
+    const Value test = work.values.test[c][std::size_t(y)][std::size_t(x)];
+    if (!lies_at_edge(range_at(facts.near_reference[c], x), test, work.rounding) ||
+        !lies_at_edge(range_at(facts.near_test[c], x), reference, work.rounding)) {
       return false;
     }
   }
@@ -133,27 +108,12 @@ struct Shift {
 // The shift s for which test(p) is nearest to reference(p + s), to first order, over the pixels
 // around the middle one. A small multiple of the identity keeps the matrix regular: along an edge
 // no movement can be seen, and none is assumed.
-Shift shift_around(const Surroundings& around) {
+template <class Value>
+Shift shift_around(const ProductRow<Value>& sums, int x) {
   constexpr double kRegular = 0.01;
-  double xx = 0, xy = 0, yy = 0, xt = 0, yt = 0;
-  for (std::size_t c = 0; c < std::size_t(around.channels); ++c) {
-    const Patch &a = around.reference[c], &b = around.test[c];
-    for (int y = -kAround; y <= kAround; ++y) {
-      for (int x = -kAround; x <= kAround; ++x) {
-        if (x == 0 && y == 0) continue;
-        const double slope_x =
-            (a.at(x + 1, y) - a.at(x - 1, y) + b.at(x + 1, y) - b.at(x - 1, y)) / 4;
-        const double slope_y =
-            (a.at(x, y + 1) - a.at(x, y - 1) + b.at(x, y + 1) - b.at(x, y - 1)) / 4;
-        const double change = b.at(x, y) - a.at(x, y);
-        xx += slope_x * slope_x;
-        xy += slope_x * slope_y;
-        yy += slope_y * slope_y;
-        xt += slope_x * change;
-        yt += slope_y * change;
-      }
-    }
-  }
+  const auto sum = [&](Product product) { return double(sums[product][std::size_t(x)]); };
+  double xx = sum(kXX), yy = sum(kYY);
+  const double xy = sum(kXY), xt = sum(kXChange), yt = sum(kYChange);
   const double regular = kRegular * (xx + yy);
   if (!(regular > 0)) return {};
   xx += regular;
@@ -163,47 +123,153 @@ Shift shift_around(const Surroundings& around) {
   return {cut((xt * yy - yt * xy) / determinant), cut((yt * xx - xt * xy) / determinant)};
 }
 
-// The bounds of the mean over the unit square at `shift`, of a function in `contrast` whose means
-// over the pixels are those of the patch.
-Range shifted_bounds(const Patch& patch, const Shift& shift, const Range& contrast) {
+// The parts of four pixels that the unit square at a shift from pixel (0, 0) covers.
+struct Cover {
+  struct Part {
+    int x = 0, y = 0;  // the pixel
+    double area = 0;
+  };
+  std::array<Part, 4> parts;
+};
+
+Cover cover_at(const Shift& shift) {
   const int step_x = shift.x < 0 ? -1 : 1, step_y = shift.y < 0 ? -1 : 1;
   const double part_x = std::abs(shift.x), part_y = std::abs(shift.y);
-  Range bounds{0, 0};
-  for (const int j : {0, 1}) {
-    for (const int i : {0, 1}) {
-      const double area = (i == 0 ? 1 - part_x : part_x) * (j == 0 ? 1 - part_y : part_y);
-      const double mean = patch.at(i * step_x, j * step_y);
-      // What the part has, if the rest of its pixel has as much or as little as it can.
-      bounds.low += std::max(contrast.low * area, mean - contrast.high * (1 - area));
-      bounds.high += std::min(contrast.high * area, mean - contrast.low * (1 - area));
-    }
+  return {{{{0, 0, (1 - part_x) * (1 - part_y)},
+            {step_x, 0, part_x * (1 - part_y)},
+            {0, step_y, (1 - part_x) * part_y},
+            {step_x, step_y, part_x * part_y}}}};
+}
+
+// The bounds of the mean over what `cover` covers from pixel (x, y), of a function in `contrast`
+// whose means over the pixels are those of the plane.
+template <class Value>
+Range covered_bounds(const TilePlane<Value>& plane, int x, int y, const Cover& cover,
+                     const Range& contrast) {
+  Range bounds;
+  for (const auto& [step_x, step_y, area] : cover.parts) {
+    const double mean = plane[std::size_t(y + step_y)][std::size_t(x + step_x)];
+    // What the part has, if the rest of its pixel has as much or as little as it can.
+    bounds.low += std::max(contrast.low * area, mean - contrast.high * (1 - area));
+    bounds.high += std::min(contrast.high * area, mean - contrast.low * (1 - area));
   }
   return bounds;
 }
 
 // The second rule, from one picture to the other.
-bool explains(const std::array<Patch, 4>& from, const std::array<Patch, 4>& to, const Shift& shift,
-              const Surroundings& around) {
-  for (std::size_t c = 0; c < std::size_t(around.channels); ++c) {
-    Range contrast;
-    add_square(from[c], kContrast, contrast);
-    add_square(to[c], kContrast, contrast);
-    const Range bounds = shifted_bounds(from[c], shift, contrast);
-    const double slack = kSlackOfContrast * contrast.length() + around.rounding;
-    if (!bounds.has(to[c].at(0, 0), slack)) return false;
+template <class Value>
+bool explains(const std::array<TilePlane<Value>, 4>& from,
+              const std::array<TilePlane<Value>, 4>& to, const Shift& shift, double rounding,
+              const RowFacts<Value>& facts, int x, int y) {
+  const Cover cover = cover_at(shift);
+  for (std::size_t c = 0; c < std::size_t(facts.channels); ++c) {
+    const Range contrast = range_at(facts.contrast[c], x);
+    const Range bounds = covered_bounds(from[c], x, y, cover, contrast);
+    const double slack = kSlackOfContrast * contrast.length() + rounding;
+    if (!bounds.has(to[c][std::size_t(y)][std::size_t(x)], slack)) return false;
   }
   return true;
 }
 
+template <class Value>
+bool is_moved_edge(const Workspace<Value>& work, const RowFacts<Value>& facts, int x, int y) {
+  const auto& [channels, reference, test, finite] = work.values;
+  if (!is_finite_around<Value>(finite, x, y) || !has_edge(work, facts, x, y)) return false;
+  const Shift shift = shift_around(facts.sums, x), back{-shift.x, -shift.y};
+  return explains(reference, test, shift, work.rounding, facts, x, y) ||
+         explains(test, reference, back, work.rounding, facts, x, y);
+}
+
+// The kinds of the pixels of a tile. Its rows are shorter where the picture ends.
+class TileKinds {
+public:
+  TileKinds(std::span<PixelKind> band, int width, int first_x)
+      : band_(band), width_(std::size_t(width)), first_x_(std::size_t(first_x)) {}
+  int rows() const { return int(band_.size() / width_); }
+  std::span<PixelKind> row(int y) const {
+    const std::size_t columns = std::min(std::size_t(kTileWidth), width_ - first_x_);
+    return band_.subspan(std::size_t(y) * width_ + first_x_, columns);
+  }
+
+private:
+  std::span<PixelKind> band_;
+  std::size_t width_, first_x_;
+};
+
+bool is_judged(PixelKind kind) {
+  return kind == PixelKind::kDifferent;
+}
+
+// Which rows of a tile have pixels to judge.
+using JudgedRows = std::array<bool, std::size_t(kTileHeight)>;
+
+JudgedRows judged_rows(const TileKinds& kinds) {
+  JudgedRows judged{};
+  for (int y = 0; y < kinds.rows(); ++y) {
+    const auto row = kinds.row(y);
+    judged[std::size_t(y)] = std::any_of(row.begin(), row.end(), is_judged);
+  }
+  return judged;
+}
+
+// Whether a row with pixels to judge is up to `distance` from row y of the planes.
+bool is_near(const JudgedRows& judged, int y, int distance) {
+  for (int row = y - kTileMargin - distance; row <= y - kTileMargin + distance; ++row) {
+    if (0 <= row && row < kTileHeight && judged[std::size_t(row)]) return true;
+  }
+  return false;
+}
+
+template <class Sample>
+void load_rows(const PicturePair& pair, PixelPosition first, const JudgedRows& judged,
+               Workspace<TileValue<Sample>>& work) {
+  const int rows = int(work.products.size());
+  for (int y = 0; y < rows; ++y) {
+    if (is_near(judged, y, kReach)) load_row<Sample>(pair, first, y, work.values);
+  }
+  for (int y = 1; y + 1 < rows; ++y) {
+    if (is_near(judged, y, kAround))
+      work.products[std::size_t(y)] = products_of_row(work.values, y);
+  }
+}
+
+template <class Value>
+void judge_row(const Workspace<Value>& work, int y, std::span<PixelKind> kinds,
+               RowFacts<Value>& facts) {
+  find_facts(work, y, facts);
+  for (std::size_t x = 0; x < kinds.size(); ++x) {
+    if (is_judged(kinds[x]) && is_moved_edge(work, facts, int(x) + kTileMargin, y)) {
+      kinds[x] = PixelKind::kMovedEdge;
+    }
+  }
+}
+
+template <class Sample>
+void mark_moved_edges(const PicturePair& pair, int y, std::span<PixelKind> kinds) {
+  using Value = TileValue<Sample>;
+  const auto work = std::make_unique<Workspace<Value>>();
+  const auto facts = std::make_unique<RowFacts<Value>>();
+  work->values.channels = pair.reference.channels;
+  work->rounding = std::is_integral_v<Sample> ? kSlackOfSteps : 0;
+  for (int x = 0; x < pair.reference.width; x += kTileWidth) {
+    const TileKinds tile(kinds, pair.reference.width, x);
+    const JudgedRows judged = judged_rows(tile);
+    load_rows<Sample>(pair, {x, y}, judged, *work);
+    for (int row = 0; row < tile.rows(); ++row) {
+      if (judged[std::size_t(row)]) judge_row(*work, row + kTileMargin, tile.row(row), *facts);
+    }
+  }
+}
+
 }  // namespace
 
-bool is_moved_edge(const PicturePair& pair, PixelPosition pixel) {
-  Surroundings around;
-  if (!load_ring(pair, pixel, -1, kEdge, around) || !has_edge(around)) return false;
-  if (!load_ring(pair, pixel, kEdge, kReach, around)) return false;
-  const Shift shift = shift_around(around);
-  return explains(around.reference, around.test, shift, around) ||
-         explains(around.test, around.reference, {-shift.x, -shift.y}, around);
+void mark_moved_edges(const PicturePair& pair, int y, std::span<PixelKind> kinds) {
+  std::visit(
+      [&](const auto& samples) {
+        using Sample = typename std::decay_t<decltype(samples)>::value_type;
+        mark_moved_edges<Sample>(pair, y, kinds);
+      },
+      pair.reference.samples);
 }
 
 }  // namespace glassbox

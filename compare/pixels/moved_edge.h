@@ -8,7 +8,10 @@ namespace glassbox {
 // The largest movement that is an explanation, in px along each axis.
 inline constexpr double kMaxEdgeShift = 0.75;
 
-// Whether the difference of a pixel is explained by an edge that moved. Two things must hold:
+// The largest number of rows that mark_moved_edges takes at once.
+inline constexpr int kMovedEdgeRows = 32;
+
+// Finds the pixels whose difference is explained by an edge that moved. Two things must hold:
 //
 // 1. There is an edge in both pictures. In each channel, each picture's value lies in the range of
 //    the other picture's 3 x 3 pixels, widened by its own length on both sides. (A line thinner
@@ -25,6 +28,10 @@ inline constexpr double kMaxEdgeShift = 0.75;
 //
 // Colours are multiplied by their alpha. Where the selection leaves pixels out, both pictures have
 // the reference's values. A pixel near NaN or an infinity is no moved edge.
-bool is_moved_edge(const PicturePair& pair, PixelPosition pixel);
+//
+// `kinds` are those of rows y, y + 1, ... of the pair, one element per pixel, and at most
+// kMovedEdgeRows rows. Those that are kDifferent are judged, and become kMovedEdge where the rule
+// holds. The verdict on a pixel does not depend on which others are judged.
+void mark_moved_edges(const PicturePair& pair, int y, std::span<PixelKind> kinds);
 
 }  // namespace glassbox

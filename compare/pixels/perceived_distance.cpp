@@ -43,41 +43,71 @@ double squared_distance(const CodedColour& a, const CodedColour& b) {
 // The largest squared distance of two opaque colours.
 constexpr double kLargestSquare = 35215;
 
-}  // namespace
+// Of a pixel's colours over black or over white, where they are further apart.
+template <class Sample>
+double squared_distance(const Sample* reference, const Sample* test, int channels) {
+  const CodedColour a = coded_colour(reference, channels), b = coded_colour(test, channels);
+  const double over_white = squared_distance(over(a, 255), over(b, 255));
+  if (a.alpha == 255 && b.alpha == 255) return over_white;
+  return std::max(squared_distance(over(a, 0), over(b, 0)), over_white);
+}
 
-double perceived_distance(const PicturePair& pair, PixelPosition pixel) {
+template <class Sample>
+double distance_between(const Sample* reference, const Sample* test, int channels) {
+  return std::sqrt(squared_distance(reference, test, channels) / kLargestSquare);
+}
+double distance_between(const float*, const float*, int) {
+  return std::numeric_limits<double>::infinity();
+}
+
+// Calls use(x, distance) for those pixels of row y, from first_x to before end_x, that `wanted(x)`
+// holds for.
+template <class Wanted, class Use>
+void visit_distances(const PicturePair& pair, int y, int first_x, int end_x, const Wanted& wanted,
+                     const Use& use) {
   const int channels = pair.reference.channels;
-  const std::size_t first =
-      (std::size_t(pixel.y) * std::size_t(pair.reference.width) + std::size_t(pixel.x)) *
-      std::size_t(channels);
-  return std::visit(
-      [&](const auto& samples) {
-        using Samples = std::decay_t<decltype(samples)>;
-        if constexpr (std::is_same_v<Samples, std::vector<float>>) {
-          return std::numeric_limits<double>::infinity();
-        } else {
-          const CodedColour a = coded_colour(samples.data() + first, channels);
-          const CodedColour b =
-              coded_colour(std::get<Samples>(pair.test.samples).data() + first, channels);
-          const double square = std::max(squared_distance(over(a, 0), over(b, 0)),
-                                         squared_distance(over(a, 255), over(b, 255)));
-          return std::sqrt(square / kLargestSquare);
+  const std::size_t row = std::size_t(y) * std::size_t(pair.reference.width);
+  std::visit(
+      [&](const auto& reference) {
+        const auto& test = std::get<std::decay_t<decltype(reference)>>(pair.test.samples);
+        for (int x = first_x; x < end_x; ++x) {
+          if (!wanted(x)) continue;
+          const std::size_t at = (row + std::size_t(x)) * std::size_t(channels);
+          use(x, distance_between(&reference[at], &test[at], channels));
         }
       },
       pair.reference.samples);
 }
 
+// The same for the pixels of row y that are kDifferent.
+template <class Use>
+void visit_distances(const PicturePair& pair, int y, std::span<const PixelKind> kinds,
+                     const Use& use) {
+  const auto differs = [&](int x) { return kinds[std::size_t(x)] == PixelKind::kDifferent; };
+  visit_distances(pair, y, 0, int(kinds.size()), differs, use);
+}
+
+}  // namespace
+
+double perceived_distance(const PicturePair& pair, PixelPosition pixel) {
+  double found = 0;
+  visit_distances(
+      pair, pixel.y, pixel.x, pixel.x + 1, [](int) { return true; },
+      [&](int, double distance) { found = distance; });
+  return found;
+}
+
+void mark_below_threshold(const PicturePair& pair, int y, std::span<PixelKind> kinds) {
+  visit_distances(pair, y, kinds, [&](int x, double distance) {
+    if (distance <= *pair.set_aside.threshold) kinds[std::size_t(x)] = PixelKind::kBelowThreshold;
+  });
+}
+
 double largest_distance(const PicturePair& pair) {
-  std::vector<std::uint32_t> steps(std::size_t(pair.reference.width));
-  std::vector<PixelKind> kinds(steps.size());
   double largest = 0;
-  for (int y = 0; y < pair.reference.height; ++y) {
-    if (!row_differences(pair, y, steps)) continue;
-    row_kinds(pair, y, steps, kinds);
-    for (int x = 0; x < pair.reference.width; ++x) {
-      if (kinds[std::size_t(x)] != PixelKind::kDifferent) continue;
-      largest = std::max(largest, perceived_distance(pair, {x, y}));
-    }
+  for (DifferenceRows rows(pair); rows.next();) {
+    visit_distances(pair, rows.y(), rows.kinds(),
+                    [&](int, double distance) { largest = std::max(largest, distance); });
   }
   return largest;
 }

@@ -74,7 +74,8 @@ TEST_CASE("the best place is where the picture was cut from, whatever its format
       for (int i = 0; i < 60; ++i) {
         const auto x = int(random.integer(0, 59));
         const auto y = int(random.integer(0, 39));
-        set_sample(large, x, y, int(random.integer(0, 2)), random_sample(random, format));
+        const auto channel = int(random.integer(0, 2));
+        set_sample(large, x, y, channel, random_sample(random, format));
       }
       const auto x = int(random.integer(0, 30));
       const PixelBox box{x, int(random.integer(0, 20)), 30, 20};

@@ -15,7 +15,7 @@
 #include "tests/compare/moved_edges.h"
 #include "tests/compare/pictures.h"
 
-#include <glassbox/compare/pixels/moved_edge.h>
+#include <glassbox/compare/pixels/differences.h>
 #include <glassbox/images/atomic_file.h>
 #include <glassbox/images/write.h>
 
@@ -31,20 +31,21 @@ struct Judged {
 
 void judge(const MovedPair& made, Judged& judged) {
   const Selection all(made.reference.width, made.reference.height);
-  const PicturePair pair{made.reference, made.test, all};
-  std::vector<std::uint32_t> steps(std::size_t(made.reference.width));
-  for (int y = 0; y < made.reference.height; ++y) {
-    row_differences(pair, y, steps);
+  const PicturePair pair{made.reference, made.test, all, false, {{}, true}};
+  for (DifferenceRows rows(pair); rows.next();) {
     for (int x = 0; x < made.reference.width; ++x) {
-      if (steps[std::size_t(x)] == 0 || made.has_changed(x, y)) continue;
+      const PixelKind kind = rows.kinds()[std::size_t(x)];
+      if (kind == PixelKind::kSame || made.has_changed(x, rows.y())) continue;
       ++judged.moved;
-      judged.moved_left += is_moved_edge(pair, {x, y}) ? 0u : 1u;
+      judged.moved_left += kind == PixelKind::kDifferent ? 1u : 0u;
     }
-  }
-  for (const ChangedPixel& one : made.changed) {
-    const bool plain = one.kind == ChangeKind::kOnPlain;
-    ++(plain ? judged.plain : judged.edges);
-    (plain ? judged.plain_found : judged.edges_found) += is_moved_edge(pair, one.at) ? 0u : 1u;
+    for (const ChangedPixel& one : made.changed) {
+      if (one.at.y != rows.y()) continue;
+      const bool found = rows.kinds()[std::size_t(one.at.x)] == PixelKind::kDifferent;
+      const bool plain = one.kind == ChangeKind::kOnPlain;
+      ++(plain ? judged.plain : judged.edges);
+      (plain ? judged.plain_found : judged.edges_found) += found ? 1u : 0u;
+    }
   }
 }
 
@@ -105,13 +106,9 @@ TEST_CASE("a figure that is gone, or moved by two pixels, counts") {
 std::string kinds_of(const StoredImage& reference, const StoredImage& test,
                      const Selection& selection) {
   const PicturePair pair{reference, test, selection, false, {{}, true}};
-  std::vector<std::uint32_t> steps(std::size_t(reference.width));
-  std::vector<PixelKind> kinds(steps.size());
   std::string text;
-  for (int y = 0; y < reference.height; ++y) {
-    row_differences(pair, y, steps);
-    row_kinds(pair, y, steps, kinds);
-    for (const PixelKind kind : kinds) text += "=!e-"[int(kind)];
+  for (DifferenceRows rows(pair); rows.next();) {
+    for (const PixelKind kind : rows.kinds()) text += "=!e-"[int(kind)];
   }
   return text;
 }
