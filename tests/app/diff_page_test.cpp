@@ -86,6 +86,7 @@ TEST_CASE("the folder beside the page replaces nothing that is not its own") {
 TEST_CASE("the folder beside the page is not a folder that is compared") {
   const WorkingDirectory here;
   for (const char* folder : {"ref", "page-files"}) fs::create_directories(here.file(folder));
+  here.write("ref/a.png", png_of(sample_picture({"", "", 3, Format::kBytes, {}})));
   for (const char* order : {"ref page-files", "page-files ref"}) {
     const Outcome outcome =
         here.run("diff " + std::string(order) + " --html page.html --html-files");

@@ -317,6 +317,15 @@ test("edges that moved and what is below the threshold are counted apart, with t
   return {problems, close};
 });
 
+test("in a narrow window, choosing a pair or a region does not scroll the page away from the pictures", async () => {
+  const {page, problems, close} = await openPage(writeNumbers("numbers"), {viewport: {width: 420, height: 700}});
+  await press(page, ...Array(11).fill("j"), "n", "n", "N");
+  assert.equal(await page.evaluate(() => scrollY), 0);
+  const [list, row] = await page.evaluate(() => ["#pairs", "#pairs li:has([aria-current])"].map((each) => document.querySelector(each).getBoundingClientRect()));
+  assert.ok(row.top >= list.top - 1 && row.bottom <= list.bottom + 1, "the open pair is seen in the list");
+  return {problems, close};
+});
+
 test("a window with no room for the pictures does not stop the page", async () => {
   const {page, problems, close} = await openPage(writeNumbers("numbers"), {viewport: {width: 320, height: 100}, deviceScaleFactor: 3});
   await page.evaluate(() => Object.assign(document.getElementById("stage").style, {height: "12px", minHeight: "0", flex: "none"}));

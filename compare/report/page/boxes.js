@@ -100,8 +100,9 @@ function withoutOverlaps(boxes) {
 const shownBoxes = () => (state.pair?.heat ? boxesOf(state.pair.heat, reachAt(view.scale)) : []);
 
 function boxesText() {
-  if (!shownBoxes().length) return "";
-  const reach = reachAt(view.scale), {length} = shownBoxes(), number = length === 1 ? "1 box" : `${numberText(length)} boxes`;
-  return reach === 1 || length === state.facts.differences.region_count ? `${number} on the picture: one around each region.`
-    : `${number} on the picture: at this zoom, pixels up to ${reach} px apart share one.`;
+  const {length} = shownBoxes(), reach = reachAt(view.scale);
+  if (!length) return "";
+  const where = `${length === 1 ? "1 box" : `${numberText(length)} boxes`} on ${state.pair.tiled ? "these parts" : "the picture"}: `;
+  return where + (reach === 1 || length === state.facts.differences.region_count ? "one around each region."
+    : `at this zoom, pixels up to ${reach} px apart share one.`);
 }

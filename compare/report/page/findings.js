@@ -110,6 +110,6 @@ function setAsideLines({moved_edges, below_threshold}, unit) {
 function markRegion(index) {
   [...byId("region-list").children].forEach(({firstChild}, i) => {
     firstChild.toggleAttribute("aria-current", i === index);
-    if (i === index) firstChild.scrollIntoView({block: "nearest"});
+    if (i === index) scrollInside(byId("region-list"), firstChild);
   });
 }

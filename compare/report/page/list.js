@@ -121,11 +121,11 @@ function showPlaceInList() {
   const row = rows.get(state.facts);
   if (place < 0) return;
   row.firstChild.setAttribute("aria-current", "true");
-  scrollTo(byId("pairs"), row);
+  scrollInside(byId("pairs"), row);
 }
 
 // Scrolls the list, and not the page, until the row is seen.
-function scrollTo(list, row) {
+function scrollInside(list, row) {
   const [inside, box] = [list.getBoundingClientRect(), row.getBoundingClientRect()];
   if (box.top < inside.top) list.scrollTop -= inside.top - box.top;
   if (box.bottom > inside.bottom) list.scrollTop += box.bottom - inside.bottom;
