@@ -80,7 +80,8 @@ GLASSBOX_INLINE void compare_row(const PerceivedPlanes& reference, const Perceiv
 
 }  // namespace
 
-GLASSBOX_WIDE void FlipTile::compute_perceived_colours(const PixelBox& tile, PerceivedPlanes& perceived) {
+GLASSBOX_WIDE void FlipTile::compute_perceived_colours(const PixelBox& tile,
+                                                       PerceivedPlanes& perceived) {
   const FlipFilters& filters = flip_filters();
   blur(opponent_.lightness, tile, filters.lightness, across_[0], perceived.lightness);
   blur(opponent_.red_green, tile, filters.red_green, across_[0], perceived.a);

@@ -49,7 +49,8 @@ using Parts = std::array<Of, 4>;
 
 // If the pictures do not differ, numerator and denominator have the same bits, so the result is
 // exactly 1.
-GLASSBOX_INLINE double similarity(double sum, double difference, double sum_square, double difference_square) {
+GLASSBOX_INLINE double similarity(double sum, double difference, double sum_square,
+                                  double difference_square) {
   const double mean_s = sum * sum;
   const double mean_d = difference * difference;
   const double variance_s = sum_square - mean_s;
@@ -117,8 +118,7 @@ public:
     for (int channel = 0; channel < pair.reference.channels; ++channel) {
       const PixelBox box = affected_box(pair, tile, kRadius, {channel, 1});
       // A window without a difference has mean_d = variance_d = 0, so its similarity is 1.
-      totals_.add(1,
-                  compared_pixels(pair.selection, tile) - compared_pixels(pair.selection, box));
+      totals_.add(1, compared_pixels(pair.selection, tile) - compared_pixels(pair.selection, box));
       if (box.width > 0) add(pair, box, channel);
     }
   }
