@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include <glassbox/compare/metrics/wide.h>
+
 namespace glassbox {
 
 // The weights at distance 1, 2, ..., radius from the centre; the weight of the centre follows from
@@ -17,8 +19,8 @@ using Taps = std::array<Real, radius>;
 // * (both sides - 2 centre), so the result for a constant picture is exact: unchanged for a sum of
 // 1, 0 for a sum of 0. The distant, small weights are added first.
 template <std::ptrdiff_t step, class Real, std::size_t radius>
-inline void filter_even(const Real* in, int count, const Taps<Real, radius>& weights, Real sum,
-                        Real* out) {
+GLASSBOX_INLINE void filter_even(const Real* in, int count, const Taps<Real, radius>& weights,
+                                 Real sum, Real* __restrict out) {
   for (int x = 0; x < count; ++x) {
     const Real twice = in[x] + in[x];
     Real total = 0;
@@ -33,7 +35,8 @@ inline void filter_even(const Real* in, int count, const Taps<Real, radius>& wei
 
 // A filter whose weights have opposite signs before and after the centre and are 0 at it.
 template <std::ptrdiff_t step, class Real, std::size_t radius>
-inline void filter_odd(const Real* in, int count, const Taps<Real, radius>& weights, Real* out) {
+GLASSBOX_INLINE void filter_odd(const Real* in, int count, const Taps<Real, radius>& weights,
+                                Real* __restrict out) {
   for (int x = 0; x < count; ++x) {
     Real total = 0;
 #pragma GCC unroll 16

@@ -3,10 +3,10 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <vector>
 
+#include <glassbox/compare/metrics/affected_box.h>
 #include <glassbox/compare/pixels/heat_map.h>
 #include <glassbox/images/colour/fixed_sum.h>
 
@@ -16,7 +16,9 @@ namespace {
 // Counts errors, each rounded to the nearest multiple of 2^-16.
 class Histogram {
 public:
-  void add(float error) { ++counts_[std::size_t(error * float(kBins) + 0.5f)]; }
+  void add(float error, std::uint64_t times) {
+    counts_[std::size_t(error * float(kBins) + 0.5f)] += std::uint32_t(times);
+  }
   void add(const Histogram& other) {
     for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
   }
@@ -39,9 +41,9 @@ struct FlipWorker {
   Histogram histogram;
   float largest = 0;
 
-  void count(float error) {
-    sum.add(double(error));
-    histogram.add(error);
+  void count(float error, std::uint64_t times = 1) {
+    sum.add(double(error), times);
+    histogram.add(error, times);
     largest = std::max(largest, error);
   }
 };
@@ -65,19 +67,26 @@ FlipErrors combine(const FlipWorkers& workers) {
   return errors;
 }
 
+// The level is rounded up.
+std::uint8_t level_of_error(float error) {
+  const float level = error * float(kHeatHottest);
+  return level_of_ramp(int(level) + (level > float(int(level))));
+}
+
 }  // namespace
 
 FlipErrors flip(const PicturePair& pair, TileSize tiles) {
   FlipWorkers workers;
   for_each_tile(pair.reference.width, pair.reference.height, tiles, [&](const PixelBox& tile) {
     FlipWorker& worker = workers.local();
-    worker.tile->compute(pair, tile);
-    for (int y = 0; y < tile.height; ++y) {
+    const PixelBox box = worker.tile->compute(pair, tile);
+    for (int y = 0; y < box.height; ++y) {
       const float* error = worker.tile->error().row(y);
-      for (int x = 0; x < tile.width; ++x) {
-        if (pair.selection.compares(tile.x + x, tile.y + y)) worker.count(error[x]);
+      for (int x = 0; x < box.width; ++x) {
+        if (pair.selection.compares(box.x + x, box.y + y)) worker.count(error[x]);
       }
     }
+    worker.count(0, compared_pixels(pair.selection, tile) - compared_pixels(pair.selection, box));
   });
   return combine(workers);
 }
@@ -86,15 +95,18 @@ Image<std::uint8_t> flip_heat_map(const PicturePair& pair) {
   Image<std::uint8_t> levels(pair.reference.width, pair.reference.height);
   tbb::enumerable_thread_specific<std::unique_ptr<FlipTile>> tiles(
       [] { return std::make_unique<FlipTile>(); });
-  for_each_tile(levels.width, levels.height, kLargestFlipTile, [&](const PixelBox& box) {
-    FlipTile& tile = *tiles.local();
-    tile.compute(pair, box);
+  for (int y = 0; y < levels.height; ++y) {
+    for (int x = 0; x < levels.width; ++x) {
+      levels.at(x, y) = pair.selection.compares(x, y) ? kHeatSame : kHeatNotCompared;
+    }
+  }
+  for_each_tile(levels.width, levels.height, kLargestFlipTile, [&](const PixelBox& tile) {
+    FlipTile& computed = *tiles.local();
+    const PixelBox box = computed.compute(pair, tile);
     for (int y = 0; y < box.height; ++y) {
       for (int x = 0; x < box.width; ++x) {
-        const bool compared = pair.selection.compares(box.x + x, box.y + y);
-        levels.at(box.x + x, box.y + y) =
-            compared ? level_of_ramp(int(std::ceil(tile.error().row(y)[x] * float(kHeatHottest))))
-                     : kHeatNotCompared;
+        std::uint8_t& level = levels.at(box.x + x, box.y + y);
+        if (level != kHeatNotCompared) level = level_of_error(computed.error().row(y)[x]);
       }
     }
   });

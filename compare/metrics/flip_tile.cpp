@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glassbox/compare/metrics/affected_box.h>
 #include <glassbox/compare/metrics/flip_input.h>
 #include <glassbox/images/colour/flip_colour.h>
 
@@ -17,8 +18,9 @@ constexpr std::ptrdiff_t kDown = FlipPlane::kStride;
 // Filters along x the rows of the tile, and as many rows above and below the tile as a filter along
 // y needs.
 template <std::size_t radius>
-void even_across(const FlipPlane& in, const PixelBox& tile, const Taps<float, radius>& taps,
-                 float sum, int rows_around, FlipPlane& out) {
+GLASSBOX_INLINE void even_across(const FlipPlane& in, const PixelBox& tile,
+                                 const Taps<float, radius>& taps, float sum, int rows_around,
+                                 FlipPlane& out) {
   for (int y = -rows_around; y < tile.height + rows_around; ++y) {
     filter_even<kAcross>(in.row(y), tile.width, taps, sum, out.row(y));
   }
@@ -26,16 +28,16 @@ void even_across(const FlipPlane& in, const PixelBox& tile, const Taps<float, ra
 
 // Filters with one Gaussian along both axes.
 template <std::size_t radius>
-void blur(const FlipPlane& in, const PixelBox& tile, const Taps<float, radius>& taps,
-          FlipPlane& across, FlipPlane& out) {
+GLASSBOX_INLINE void blur(const FlipPlane& in, const PixelBox& tile,
+                          const Taps<float, radius>& taps, FlipPlane& across, FlipPlane& out) {
   even_across(in, tile, taps, 1.0f, int(radius), across);
   for (int y = 0; y < tile.height; ++y) {
     filter_even<kDown>(across.row(y), tile.width, taps, 1.0f, out.row(y));
   }
 }
 
-void mix(const FlipPlane& wide, const PixelBox& tile, float wide_share, float narrow_share,
-         FlipPlane& narrow_and_out) {
+GLASSBOX_INLINE void mix(const FlipPlane& wide, const PixelBox& tile, float wide_share,
+                         float narrow_share, FlipPlane& narrow_and_out) {
   for (int y = 0; y < tile.height; ++y) {
     const float* from = wide.row(y);
     float* to = narrow_and_out.row(y);
@@ -44,11 +46,12 @@ void mix(const FlipPlane& wide, const PixelBox& tile, float wide_share, float na
 }
 
 // The length of the vector of two filter results.
-void length(const float* a, const float* b, int count, float* out) {
+GLASSBOX_INLINE void length(const float* a, const float* b, int count, float* __restrict out) {
   for (int x = 0; x < count; ++x) out[x] = std::sqrt(a[x] * a[x] + b[x] * b[x]);
 }
 
-void to_hunt_lab(float* lightness, float* a, float* b, int count) {
+GLASSBOX_INLINE void to_hunt_lab(float* __restrict lightness, float* __restrict a,
+                                 float* __restrict b, int count) {
   for (int x = 0; x < count; ++x) {
     const Colour linear = flip_colour::linear_of_opponent({lightness[x], a[x], b[x]});
     const Colour lab = flip_colour::hunt_lab_of_linear(linear);
@@ -58,9 +61,9 @@ void to_hunt_lab(float* lightness, float* a, float* b, int count) {
   }
 }
 
-void compare_row(const PerceivedPlanes& reference, const PerceivedPlanes& test, int y, int count,
-                 float* error) {
-  static const flip_colour::ColourError colour_error;
+GLASSBOX_INLINE void compare_row(const PerceivedPlanes& reference, const PerceivedPlanes& test,
+                                 int y, int count, flip_colour::ColourError colour_error,
+                                 float* __restrict error) {
   const float *l1 = reference.lightness.row(y), *l2 = test.lightness.row(y);
   const float *a1 = reference.a.row(y), *a2 = test.a.row(y);
   const float *b1 = reference.b.row(y), *b2 = test.b.row(y);
@@ -77,7 +80,8 @@ void compare_row(const PerceivedPlanes& reference, const PerceivedPlanes& test, 
 
 }  // namespace
 
-void FlipTile::compute_perceived_colours(const PixelBox& tile, PerceivedPlanes& perceived) {
+GLASSBOX_WIDE void FlipTile::compute_perceived_colours(const PixelBox& tile,
+                                                       PerceivedPlanes& perceived) {
   const FlipFilters& filters = flip_filters();
   blur(opponent_.lightness, tile, filters.lightness, across_[0], perceived.lightness);
   blur(opponent_.red_green, tile, filters.red_green, across_[0], perceived.a);
@@ -89,7 +93,7 @@ void FlipTile::compute_perceived_colours(const PixelBox& tile, PerceivedPlanes& 
   }
 }
 
-void FlipTile::compute_features(const PixelBox& tile, PerceivedPlanes& perceived) {
+GLASSBOX_WIDE void FlipTile::compute_features(const PixelBox& tile, PerceivedPlanes& perceived) {
   const FlipFilters& filters = flip_filters();
   auto& [smooth, slope, bend] = across_;
   const FlipPlane& lightness = opponent_.lightness;
@@ -114,26 +118,30 @@ void FlipTile::compute_perceived(const PixelBox& tile, PerceivedPlanes& perceive
   compute_features(tile, perceived);
 }
 
-void FlipTile::compute(const PicturePair& pair, const PixelBox& tile) {
+GLASSBOX_WIDE void FlipTile::raise_errors(const PixelBox& tile) {
+  static const flip_colour::ColourError colour_error;
+  std::array<float, std::size_t(FlipPlane::kStride)> errors;
+  for (int y = 0; y < tile.height; ++y) {
+    compare_row(reference_, test_, y, tile.width, colour_error, errors.data());
+    float* row = error_.row(y);
+    for (int x = 0; x < tile.width; ++x) row[x] = std::max(row[x], errors[std::size_t(x)]);
+  }
+}
+
+PixelBox FlipTile::compute(const PicturePair& pair, const PixelBox& tile) {
+  const PixelBox affected = affected_box(pair, tile, kFlipHalo, {0, pair.reference.channels});
+  if (affected.width == 0) return affected;
+  for (int y = 0; y < affected.height; ++y) std::fill_n(error_.row(y), affected.width, 0.0f);
   bool opaque = true;
   for (const float background : {0.0f, 1.0f}) {
-    opaque &= load_opponent(pair, PairSide::kReference, tile, background, opponent_);
-    compute_perceived(tile, reference_);
-    opaque &= load_opponent(pair, PairSide::kTest, tile, background, opponent_);
-    compute_perceived(tile, test_);
-    std::array<float, std::size_t(FlipPlane::kStride)> errors;
-    for (int y = 0; y < tile.height; ++y) {
-      compare_row(reference_, test_, y, tile.width, errors.data());
-      float* row = error_.row(y);
-      if (background == 0.0f) {
-        std::copy_n(errors.data(), tile.width, row);
-      } else {
-        std::transform(row, row + tile.width, errors.data(), row,
-                       [](float a, float b) { return std::max(a, b); });
-      }
-    }
-    if (opaque) return;  // then the second background would give the same errors
+    opaque &= load_opponent(pair, PairSide::kReference, affected, background, opponent_);
+    compute_perceived(affected, reference_);
+    opaque &= load_opponent(pair, PairSide::kTest, affected, background, opponent_);
+    compute_perceived(affected, test_);
+    raise_errors(affected);
+    if (opaque) break;  // then the second background would give the same errors
   }
+  return affected;
 }
 
 }  // namespace glassbox

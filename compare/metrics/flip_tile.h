@@ -47,15 +47,21 @@ struct PerceivedPlanes {
 // takes 2 MB.
 class FlipTile {
 public:
-  // Computes the errors: row(0) ... row(tile.height - 1) of error(). The tile is at most
-  // kLargestFlipTile.
-  void compute(const PicturePair& pair, const PixelBox& tile);
+  // Returns the box of the tile outside which all errors are exactly 0, and computes the errors in
+  // it: row(0) ... row(box.height - 1) of error(). The tile is at most kLargestFlipTile.
+  //
+  // Outside the box, all samples that the filters reach are the same in both pictures, and so are
+  // the bits of all intermediate results. Their differences are 0, and so are power(0, 0.7), the
+  // colour error, and power(0, 1 - 0), the combined error.
+  PixelBox compute(const PicturePair& pair, const PixelBox& tile);
   const FlipPlane& error() const { return error_; }
 
 private:
   void compute_perceived(const PixelBox& tile, PerceivedPlanes& perceived);
   void compute_perceived_colours(const PixelBox& tile, PerceivedPlanes& perceived);
   void compute_features(const PixelBox& tile, PerceivedPlanes& perceived);
+  // Replaces errors that are smaller than those between reference_ and test_.
+  void raise_errors(const PixelBox& tile);
 
   OpponentPlanes opponent_;
   FlipPlane across_[3];  // filtered along x

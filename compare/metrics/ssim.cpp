@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <glassbox/base/elementary.h>
+#include <glassbox/compare/metrics/affected_box.h>
 #include <glassbox/compare/metrics/filter.h>
-#include <glassbox/compare/metrics/samples.h>
 #include <glassbox/images/colour/fixed_sum.h>
 
 namespace glassbox {
@@ -49,7 +49,8 @@ using Parts = std::array<Of, 4>;
 
 // If the pictures do not differ, numerator and denominator have the same bits, so the result is
 // exactly 1.
-double similarity(double sum, double difference, double sum_square, double difference_square) {
+GLASSBOX_INLINE double similarity(double sum, double difference, double sum_square,
+                                  double difference_square) {
   const double mean_s = sum * sum;
   const double mean_d = difference * difference;
   const double variance_s = sum_square - mean_s;
@@ -58,10 +59,25 @@ double similarity(double sum, double difference, double sum_square, double diffe
          (((mean_s + mean_d) / 2 + kC1) * ((variance_s + variance_d) / 2 + kC2));
 }
 
-// Loads the samples x, x + 1, ... of one channel of a row, scaled to [0, 1]. Pixels that are not
-// compared come from the reference.
+// Scales a sample to [0, 1].
+double unit(std::uint8_t sample) {
+  static constexpr auto kUnits = [] {
+    std::array<double, 256> units{};
+    for (std::size_t i = 0; i < units.size(); ++i) units[i] = double(i) / 255;
+    return units;
+  }();
+  return kUnits[sample];
+}
+double unit(std::uint16_t sample) {
+  return double(sample) / 65535;
+}
+double unit(float sample) {
+  return double(sample);
+}
+
+// Loads the sums and the differences of the samples x, x + 1, ... of one channel of a row. Pixels
+// that are not compared come from the reference.
 void load(const PicturePair& pair, int x, int y, int count, int channel, Parts<Row>& row) {
-  const double scale = full_scale(pair.reference);
   const auto channels = std::size_t(pair.reference.channels);
   const std::size_t first =
       (std::size_t(y) * std::size_t(pair.reference.width) + std::size_t(x)) * channels +
@@ -72,24 +88,20 @@ void load(const PicturePair& pair, int x, int y, int count, int channel, Parts<R
         for (std::size_t i = 0; i < std::size_t(count); ++i) {
           const std::size_t at = first + i * channels;
           const auto& other = pair.selection.compares(x + int(i), y) ? test : reference;
-          const double r = double(reference[at]) / scale;
-          const double t = double(other[at]) / scale;
+          const double r = unit(reference[at]);
+          const double t = unit(other[at]);
           row[kSum][i] = r + t;
           row[kDifference][i] = r - t;
         }
       },
       pair.reference.samples);
-  for (std::size_t i = 0; i < std::size_t(count); ++i) {
-    row[kSumSquare][i] = row[kSum][i] * row[kSum][i];
-    row[kDifferenceSquare][i] = row[kDifference][i] * row[kDifference][i];
-  }
 }
 
 struct Totals {
   FixedSum sum;
   double smallest = 1;
-  void add(double value) {
-    sum.add(value);
+  void add(double value, std::uint64_t times = 1) {
+    sum.add(value, times);
     smallest = std::min(smallest, value);
   }
   void add(const Totals& other) {
@@ -104,40 +116,61 @@ public:
   // Adds the similarities of the windows whose centres are in `tile`.
   void add(const PicturePair& pair, const PixelBox& tile) {
     for (int channel = 0; channel < pair.reference.channels; ++channel) {
-      for (int y = 0; y < tile.height + 2 * kRadius; ++y) {
-        load(pair, tile.x - kRadius, tile.y + y - kRadius, tile.width + 2 * kRadius, channel, row_);
-        for (std::size_t part = 0; part < row_.size(); ++part) {
-          filter_even<1>(row_[part].data() + kRadius, tile.width, window_, 1.0,
-                         planes_[part].data() + y * kStride);
-        }
-      }
-      for (int y = 0; y < tile.height; ++y) {
-        for (std::size_t part = 0; part < row_.size(); ++part) {
-          filter_even<kStride>(planes_[part].data() + (y + kRadius) * kStride, tile.width, window_,
-                               1.0, row_[part].data());
-        }
-        add_row(pair.selection, tile, tile.y + y);
-      }
+      const PixelBox box = affected_box(pair, tile, kRadius, {channel, 1});
+      // A window without a difference has mean_d = variance_d = 0, so its similarity is 1.
+      totals_.add(1, compared_pixels(pair.selection, tile) - compared_pixels(pair.selection, box));
+      if (box.width > 0) add(pair, box, channel);
     }
   }
   const Totals& totals() const { return totals_; }
 
 private:
-  void add_row(const Selection& selection, const PixelBox& tile, int y) {
-    auto& [sum, difference, sum_square, difference_square] = row_;
-    for (std::size_t x = 0; x < std::size_t(tile.width); ++x) {
-      sum[x] = similarity(sum[x], difference[x], sum_square[x], difference_square[x]);
+  void add(const PicturePair& pair, const PixelBox& box, int channel) {
+    for (int y = 0; y < box.height + 2 * kRadius; ++y) {
+      load(pair, box.x - kRadius, box.y + y - kRadius, box.width + 2 * kRadius, channel, row_);
+      filter_across(box.width, y);
     }
-    for (int x = 0; x < tile.width; ++x) {
-      if (selection.compares(tile.x + x, y)) totals_.add(sum[std::size_t(x)]);
+    for (int y = 0; y < box.height; ++y) {
+      compute_row(box.width, y);
+      for (int x = 0; x < box.width; ++x) {
+        if (pair.selection.compares(box.x + x, box.y + y)) totals_.add(row_[0][std::size_t(x)]);
+      }
     }
   }
+
+  void filter_across(int width, int y);
+  void compute_row(int width, int y);
 
   Window window_ = make_window();
   Parts<Row> row_;
   Parts<Plane> planes_;  // filtered along x
   Totals totals_;
 };
+
+// Filters row_, whose sums and differences are loaded, into row y of the planes.
+GLASSBOX_WIDE void SsimWorker::filter_across(int width, int y) {
+  auto& [sum, difference, sum_square, difference_square] = row_;
+  for (std::size_t i = 0; i < std::size_t(width + 2 * kRadius); ++i) {
+    sum_square[i] = sum[i] * sum[i];
+    difference_square[i] = difference[i] * difference[i];
+  }
+  for (std::size_t part = 0; part < row_.size(); ++part) {
+    filter_even<1>(row_[part].data() + kRadius, width, window_, 1.0,
+                   planes_[part].data() + y * kStride);
+  }
+}
+
+// Computes the similarities of row y of the box into row_[0].
+GLASSBOX_WIDE void SsimWorker::compute_row(int width, int y) {
+  for (std::size_t part = 0; part < row_.size(); ++part) {
+    filter_even<kStride>(planes_[part].data() + (y + kRadius) * kStride, width, window_, 1.0,
+                         row_[part].data());
+  }
+  auto& [sum, difference, sum_square, difference_square] = row_;
+  for (std::size_t x = 0; x < std::size_t(width); ++x) {
+    sum[x] = similarity(sum[x], difference[x], sum_square[x], difference_square[x]);
+  }
+}
 
 }  // namespace
 

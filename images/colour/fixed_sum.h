@@ -11,11 +11,11 @@ namespace glassbox {
 // has room for 2^30 values.
 class FixedSum {
 public:
-  // Adding and subtracting 3 * 2^51 rounds a double of this size to the nearest integer.
-  void add(double value) {
+  // Adds the value `times` times. Adding and subtracting 3 * 2^51 rounds a double of this size to the nearest integer.
+  void add(double value, std::uint64_t times = 1) {
     constexpr double kRound = 0x1.8p52;
-    sum_ += std::int64_t(value * 0x1p32 + kRound - kRound);
-    ++count_;
+    sum_ += std::int64_t(value * 0x1p32 + kRound - kRound) * std::int64_t(times);
+    count_ += times;
   }
   void add(const FixedSum& other) {
     sum_ += other.sum_;

@@ -44,10 +44,12 @@ inline float exp_2(float value) {
   const float shifted = value + kRound;
   const float rest = (value - (shifted - kRound)) * 0.69314718055994531f;  // in [-0.347, 0.347]
   // The series of exp(rest); the first omitted term is below rest^8/8! = 5.2e-9.
-  float series = 1.0f / 5040.0f;
-  for (const float term : {1.0f / 720.0f, 1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f}) {
-    series = series * rest + term;
-  }
+  float series = 1.0f / 5040.0f * rest + 1.0f / 720.0f;
+  series = series * rest + 1.0f / 120.0f;
+  series = series * rest + 1.0f / 24.0f;
+  series = series * rest + 1.0f / 6.0f;
+  series = series * rest + 0.5f;
+  series = series * rest + 1.0f;
   const std::int32_t exponent = std::bit_cast<std::int32_t>(shifted) << 23;
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(series * rest + 1.0f) + exponent);
 }
@@ -57,7 +59,8 @@ inline float exp_2(float value) {
 inline float power(float base, float exponent) {
   const float log = log_2(std::max(base, 0x1p-126f)) * exponent;
   const float result = exp_2(std::max(log, -126.0f));
-  return base < 0x1p-126f && exponent > 0.0f ? 0.0f : result;
+  const float below = exponent > 0.0f ? 0.0f : result;
+  return base < 0x1p-126f ? below : result;
 }
 
 }  // namespace glassbox
