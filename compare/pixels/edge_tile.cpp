@@ -18,34 +18,39 @@ TileColumns columns_inside(int width, PixelPosition first) {
   return {std::max(0, kTileMargin - first.x), std::min(last, width - first.x + kTileMargin)};
 }
 
+// Returns whether every alpha is 1.
 template <class Sample>
-void load_alpha(const Sample* pixels, int channels, TileColumns inside,
+bool load_alpha(const Sample* pixels, int channels, TileColumns inside,
                 TileRow<TileValue<Sample>>& alpha) {
   using Value = TileValue<Sample>;
   // 255 / 255 is exactly 1, so that opaque colours remain exact.
   constexpr Value kOpaque =
       std::is_integral_v<Sample> ? Value(std::numeric_limits<Sample>::max()) : 1;
+  bool opaque = true;
   for (int x = inside.first; x < inside.end; ++x, pixels += channels) {
     alpha[std::size_t(x)] = Value(pixels[channels - 1]) / kOpaque;
+    opaque &= alpha[std::size_t(x)] == 1;
   }
+  return opaque;
 }
 
 // Loads the values of row y that lie in the picture. `pixels` are those of the row in the picture,
 // from the first one that lies in the tile.
 template <class Sample>
 void load_inside(const Sample* pixels, int channels, TileColumns inside, int y,
-                 std::array<TilePlane<TileValue<Sample>>, 4>& planes) {
+                 std::array<TilePlane<TileValue<Sample>>, 4>& planes, bool& opaque) {
   using Value = TileValue<Sample>;
-  const int colours = channels % 2 == 0 ? channels - 1 : channels;
+  const bool has_alpha = channels % 2 == 0;
   TileRow<Value> alpha;
-  if (colours < channels) load_alpha(pixels, channels, inside, alpha);
+  const bool row_is_opaque = !has_alpha || load_alpha(pixels, channels, inside, alpha);
+  opaque &= row_is_opaque;
   for (int channel = 0; channel < channels; ++channel) {
     auto& values = planes[std::size_t(channel)][std::size_t(y)];
     const Sample* sample = pixels + channel;
     for (int x = inside.first; x < inside.end; ++x, sample += channels) {
       values[std::size_t(x)] = Value(*sample);
     }
-    if (colours == channels || channel == colours) continue;
+    if (row_is_opaque || channel == channels - 1) continue;
     for (int x = inside.first; x < inside.end; ++x) values[std::size_t(x)] *= alpha[std::size_t(x)];
   }
 }
@@ -90,8 +95,10 @@ void load_row(const PicturePair& pair, PixelPosition first, int y,
   const std::size_t at =
       (std::size_t(from.y) * std::size_t(width) + std::size_t(from.x)) * std::size_t(channels);
   using Samples = std::vector<Sample>;
-  load_inside(&std::get<Samples>(pair.reference.samples)[at], channels, inside, y, tile.reference);
-  load_inside(&std::get<Samples>(pair.test.samples)[at], channels, inside, y, tile.test);
+  load_inside(&std::get<Samples>(pair.reference.samples)[at], channels, inside, y, tile.reference,
+              tile.opaque);
+  load_inside(&std::get<Samples>(pair.test.samples)[at], channels, inside, y, tile.test,
+              tile.opaque);
   for (int channel = 0; channel < channels; ++channel) {
     auto& reference = tile.reference[std::size_t(channel)][std::size_t(y)];
     auto& test = tile.test[std::size_t(channel)][std::size_t(y)];

@@ -24,6 +24,9 @@ constexpr double kSlackOfContrast = 0.25;  // of the second rule, in parts of th
 // Two steps of whole-number formats: each of the two values is rounded by half a step, and so are
 // the values around them.
 constexpr double kSlackOfSteps = 2;
+// In parts of the largest value. A bound is a sum of four parts with four roundings of 2^-53 each;
+// without this slack, a channel that is the same everywhere could lie outside of its bounds.
+constexpr double kSlackOfArithmetic = 0x1p-48;
 
 struct Range {
   double low = 0, high = 0;
@@ -165,7 +168,9 @@ bool explains(const std::array<TilePlane<Value>, 4>& from,
   for (std::size_t c = 0; c < std::size_t(facts.channels); ++c) {
     const Range contrast = range_at(facts.contrast[c], x);
     const Range bounds = covered_bounds(from[c], x, y, cover, contrast);
-    const double slack = kSlackOfContrast * contrast.length() + rounding;
+    const double largest = std::max(std::abs(contrast.low), std::abs(contrast.high));
+    const double slack =
+        kSlackOfContrast * contrast.length() + rounding + kSlackOfArithmetic * largest;
     if (!bounds.has(to[c][std::size_t(y)][std::size_t(x)], slack)) return false;
   }
   return true;
@@ -173,7 +178,7 @@ bool explains(const std::array<TilePlane<Value>, 4>& from,
 
 template <class Value>
 bool is_moved_edge(const Workspace<Value>& work, const RowFacts<Value>& facts, int x, int y) {
-  const auto& [channels, reference, test, finite] = work.values;
+  const auto& [channels, opaque, reference, test, finite] = work.values;
   if (!is_finite_around<Value>(finite, x, y) || !has_edge(work, facts, x, y)) return false;
   const Shift shift = shift_around(facts.sums, x), back{-shift.x, -shift.y};
   return explains(reference, test, shift, work.rounding, facts, x, y) ||
@@ -224,9 +229,14 @@ template <class Sample>
 void load_rows(const PicturePair& pair, PixelPosition first, const JudgedRows& judged,
                Workspace<TileValue<Sample>>& work) {
   const int rows = int(work.products.size());
+  work.values.channels = pair.reference.channels;
+  work.values.opaque = true;
   for (int y = 0; y < rows; ++y) {
     if (is_near(judged, y, kReach)) load_row<Sample>(pair, first, y, work.values);
   }
+  // An alpha that is 1 everywhere agrees with every movement.
+  const bool has_alpha = pair.reference.channels % 2 == 0;
+  if (has_alpha && work.values.opaque) --work.values.channels;
   for (int y = 1; y + 1 < rows; ++y) {
     if (is_near(judged, y, kAround))
       work.products[std::size_t(y)] = products_of_row(work.values, y);
@@ -249,7 +259,6 @@ void mark_moved_edges(const PicturePair& pair, int y, std::span<PixelKind> kinds
   using Value = TileValue<Sample>;
   const auto work = std::make_unique<Workspace<Value>>();
   const auto facts = std::make_unique<RowFacts<Value>>();
-  work->values.channels = pair.reference.channels;
   work->rounding = std::is_integral_v<Sample> ? kSlackOfSteps : 0;
   for (int x = 0; x < pair.reference.width; x += kTileWidth) {
     const TileKinds tile(kinds, pair.reference.width, x);

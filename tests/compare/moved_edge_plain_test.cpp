@@ -71,6 +71,13 @@ StoredImage moved_and_changed(Random& random, const StoredImage& image, Format f
   return test;
 }
 
+void make_opaque(StoredImage& image, Format format) {
+  const double full = format == Format::kBytes ? 255 : format == Format::kShorts ? 65535 : 1;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) set_sample(image, x, y, image.channels - 1, full);
+  }
+}
+
 // A pair of any format, of any number of channels, of a size below and above that of tiles, with and
 // without pixels that are left out.
 struct RandomPair {
@@ -85,6 +92,10 @@ RandomPair random_pair(Random& random, Format format, int channels) {
   const int height = int(large ? random.integer(30, 70) : random.integer(1, 20));
   const StoredImage reference = rectangles(random, width, height, channels, format);
   RandomPair made{reference, moved_and_changed(random, reference, format), {width, height}};
+  if (channels % 2 == 0 && random.unit() < 0.3) {
+    make_opaque(made.reference, format);
+    make_opaque(made.test, format);
+  }
   if (random.unit() < 0.5) {
     const int x = int(random.integer(0, width - 1)), y = int(random.integer(0, height - 1));
     REQUIRE(made.selection.exclude(PixelBox{x, y, 6, 6}));

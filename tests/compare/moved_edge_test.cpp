@@ -151,6 +151,20 @@ TEST_CASE("16-bit samples and floats are judged as bytes are") {
                            as_format(pair.test, Format::kFloats, 1))) <= 3);
 }
 
+TEST_CASE("a channel that is the same everywhere agrees with every movement") {
+  const MovedPair pair = moved_pair("grey-text", 0.3, 0, 17, 120, 80);
+  const auto with_plain_blue = [](const StoredImage& image) {
+    StoredImage floats = as_format(image, Format::kFloats, 1 / 255.0);
+    for (int y = 0; y < image.height; ++y) {
+      for (int x = 0; x < image.width; ++x) set_sample(floats, x, y, 2, 0.3);
+    }
+    return floats;
+  };
+  const std::string kinds = kinds_of(with_plain_blue(pair.reference), with_plain_blue(pair.test));
+  CHECK(std::count(kinds.begin(), kinds.end(), 'e') > 500);
+  CHECK(std::count(kinds.begin(), kinds.end(), '!') < 5);
+}
+
 TEST_CASE("a colour that only alpha uncovers moves with its edge") {
   // Black text on nothing: the colour is that of the ink where there is ink, and 0 elsewhere.
   const MovedPair pair = moved_pair("small-dark-text", 0.3, 0, 13, 120, 80);

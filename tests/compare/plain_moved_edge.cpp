@@ -150,7 +150,9 @@ bool explains_plainly(const Patch<Value>& from, const Patch<Value>& to, double s
       bounds.high += std::min(contrast.high * area, mean - contrast.low * (1 - area));
     }
   }
-  return bounds.has(double(to.at(0, 0)), 0.25 * (contrast.high - contrast.low) + rounding);
+  const double largest = std::max(std::abs(contrast.low), std::abs(contrast.high));
+  return bounds.has(double(to.at(0, 0)),
+                    0.25 * (contrast.high - contrast.low) + rounding + 0x1p-48 * largest);
 }
 
 template <class Value>
