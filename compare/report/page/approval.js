@@ -40,9 +40,12 @@ function showApproval() {
     "No pair is chosen. Choose a pair with the key A or with its box, when its test picture is right.";
   byId("approved-part").hidden = !approved.size;
   if (!approved.size) return;
-  byId("approved-names").textContent = [...approved].map(({name}) => name).sort(naturally).join("\n");
+  byId("approved-names").textContent = [...approved].map(({name}) => name).sort(naturally).map(listLine).join("\n");
   byId("approved-commands").replaceChildren(...approvalCommands());
 }
+
+// A name as a line of the list, in which a line that begins with # is a comment.
+const listLine = (name) => (/^(#|\.\/)/.test(name) ? `./${name}` : name);
 
 // The file that --approve-list reads.
 const approvedText = () => `# glassbox diff --approve-list\n${byId("approved-names").textContent}\n`;
