@@ -41,7 +41,7 @@ RowRanges<Value> column_ranges(const TilePlane<Value>& plane, int y) {
   return ranges;
 }
 
-// The range grows by those of two rows of values.
+// Makes each column's range contain its values in two more rows.
 template <class Value>
 void add_rows(const TileRow<Value>& a, const TileRow<Value>& b, RowRanges<Value>& ranges) {
   for (std::size_t x = 0; x < a.size(); ++x) {

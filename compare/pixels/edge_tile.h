@@ -9,8 +9,8 @@
 
 namespace glassbox {
 
-// The size of a tile, in px. Its values stay in a processor's second cache. Wider or higher tiles
-// would have less margin for each pixel, but would do more work around lonely differences.
+// The size of a tile, in px. Its values fit into a processor's second cache. Larger tiles would have
+// less margin for each pixel, but would do more work around lonely differences.
 inline constexpr int kTileWidth = 64, kTileHeight = 32;
 inline constexpr int kTileMargin = 4;  // px on each side of the tile
 

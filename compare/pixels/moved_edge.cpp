@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
+#include <tuple>
 #include <type_traits>
-#include <vector>
+#include <variant>
 
 #include <glassbox/compare/pixels/edge_rows.h>
 #include <glassbox/compare/pixels/edge_tile.h>
@@ -76,6 +76,7 @@ Range range_at(const RowRanges<Value>& ranges, int x) {
   return {double(ranges.low[std::size_t(x)]), double(ranges.high[std::size_t(x)])};
 }
 
+// Whether all values are finite that the verdict on pixel (x, y) of the planes depends on.
 template <class Value>
 bool is_finite_around(const TilePlane<std::uint8_t>& finite, int x, int y) {
   if constexpr (std::is_same_v<Value, float>) return true;
@@ -225,6 +226,7 @@ bool is_near(const JudgedRows& judged, int y, int distance) {
   return false;
 }
 
+// Loads the rows that the pixels to judge need, and computes their products.
 template <class Sample>
 void load_rows(const PicturePair& pair, PixelPosition first, const JudgedRows& judged,
                Workspace<TileValue<Sample>>& work) {
@@ -238,8 +240,8 @@ void load_rows(const PicturePair& pair, PixelPosition first, const JudgedRows& j
   const bool has_alpha = pair.reference.channels % 2 == 0;
   if (has_alpha && work.values.opaque) --work.values.channels;
   for (int y = 1; y + 1 < rows; ++y) {
-    if (is_near(judged, y, kAround))
-      work.products[std::size_t(y)] = products_of_row(work.values, y);
+    if (!is_near(judged, y, kAround)) continue;
+    work.products[std::size_t(y)] = products_of_row(work.values, y);
   }
 }
 

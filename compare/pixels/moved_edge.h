@@ -1,6 +1,8 @@
 // Recognises pixels that differ only because an edge lies a part of a pixel elsewhere.
 #pragma once
 
+#include <span>
+
 #include <glassbox/compare/pixels/differences.h>
 
 namespace glassbox {
