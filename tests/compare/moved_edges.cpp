@@ -295,9 +295,9 @@ void change_pixels(MovedPair& pair, const Look& look, int changes, Random& rando
 }  // namespace
 
 bool MovedPair::has_changed(int x, int y) const {
-  return std::any_of(changed.begin(), changed.end(), [x, y](const ChangedPixel& one) {
-    return one.at == PixelPosition{x, y};
-  });
+  const PixelPosition place{x, y};
+  return std::any_of(changed.begin(), changed.end(),
+                     [&place](const ChangedPixel& one) { return one.at == place; });
 }
 
 std::vector<std::string> moved_edge_looks() {
