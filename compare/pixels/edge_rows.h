@@ -27,7 +27,7 @@ struct RowRanges {
   TileRow<Value> low, high;
 };
 
-// Of the column's pixels in row y and its two neighbours.
+// The ranges of each column's pixels in row y and its two neighbours.
 template <class Value>
 RowRanges<Value> column_ranges(const TilePlane<Value>& plane, int y) {
   const TileRow<Value>& above = plane[std::size_t(y - 1)];

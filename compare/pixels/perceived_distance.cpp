@@ -43,7 +43,7 @@ double squared_distance(const CodedColour& a, const CodedColour& b) {
 // The largest squared distance of two opaque colours.
 constexpr double kLargestSquare = 35215;
 
-// Of a pixel's colours over black or over white, where they are further apart.
+// The squared distance of a pixel's colours over black or over white, where they are further apart.
 template <class Sample>
 double squared_distance(const Sample* reference, const Sample* test, int channels) {
   const CodedColour a = coded_colour(reference, channels), b = coded_colour(test, channels);

@@ -18,8 +18,8 @@ namespace glassbox {
 // the larger distance counts. For pictures of floats the distance is infinite.
 double perceived_distance(const PicturePair& pair, PixelPosition pixel);
 
-// Makes the pixels of row y that are kDifferent kBelowThreshold, where their distance is at most the
-// threshold that the pair has. `kinds` has one element per pixel.
+// Makes the pixels of row y that are kDifferent kBelowThreshold, where their distance is at most
+// the threshold that the pair has. `kinds` has one element per pixel.
 void mark_below_threshold(const PicturePair& pair, int y, std::span<PixelKind> kinds);
 
 // The largest distance of the pixels that differ and are not set aside; 0 where there are none.

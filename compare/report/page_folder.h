@@ -20,8 +20,8 @@ struct PageFile {
 };
 
 // Writes the file with this index, completely or not at all. It is a script that calls the page's
-// function `glassboxPictures` with the stamp and `blobs`, which map names to texts in base64: a page
-// that was opened without a server may load scripts, but it may not read other files. Makes the
+// function `glassboxPictures` with the stamp and `blobs`, which map names to texts in base64: a
+// page that was opened without a server may load scripts, but not read other files. Makes the
 // folder if there is none. An error if there is a file of this name that is not such a script.
 Result<PageFile> write_page_file(const std::string& page, std::size_t index,
                                  const nlohmann::ordered_json& blobs);

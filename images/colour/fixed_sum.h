@@ -11,7 +11,8 @@ namespace glassbox {
 // has room for 2^30 values.
 class FixedSum {
 public:
-  // Adds the value `times` times. Adding and subtracting 3 * 2^51 rounds a double of this size to the nearest integer.
+  // Adds the value `times` times. Adding and subtracting 3 * 2^51 rounds a double of this size to
+  // the nearest integer.
   void add(double value, std::uint64_t times = 1) {
     constexpr double kRound = 0x1.8p52;
     sum_ += std::int64_t(value * 0x1p32 + kRound - kRound) * std::int64_t(times);

@@ -78,8 +78,8 @@ void make_opaque(StoredImage& image, Format format) {
   }
 }
 
-// A pair of any format, of any number of channels, of a size below and above that of tiles, with and
-// without pixels that are left out.
+// A pair of any format, of any number of channels, of a size below and above that of tiles, with
+// and without pixels that are left out.
 struct RandomPair {
   StoredImage reference, test;
   Selection selection;

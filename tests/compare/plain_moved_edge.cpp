@@ -25,7 +25,7 @@ private:
   std::array<Value, 81> values_{};
 };
 
-// Of a channel, in the reference and the test.
+// The patches of one channel in the reference and in the test.
 template <class Value>
 struct Patches {
   Patch<Value> a, b;
