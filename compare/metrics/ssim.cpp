@@ -85,9 +85,10 @@ void load(const PicturePair& pair, int x, int y, int count, int channel, Parts<R
   std::visit(
       [&](const auto& reference) {
         const auto& test = std::get<std::decay_t<decltype(reference)>>(pair.test.samples);
+        const bool whole = pair.selection.includes_all();
         for (std::size_t i = 0; i < std::size_t(count); ++i) {
           const std::size_t at = first + i * channels;
-          const auto& other = pair.selection.compares(x + int(i), y) ? test : reference;
+          const auto& other = whole || pair.selection.compares(x + int(i), y) ? test : reference;
           const double r = unit(reference[at]);
           const double t = unit(other[at]);
           row[kSum][i] = r + t;
@@ -132,9 +133,11 @@ private:
     }
     for (int y = 0; y < box.height; ++y) {
       compute_row(box.width, y);
+      Totals of_row;
       for (int x = 0; x < box.width; ++x) {
-        if (pair.selection.compares(box.x + x, box.y + y)) totals_.add(row_[0][std::size_t(x)]);
+        if (pair.selection.compares(box.x + x, box.y + y)) of_row.add(row_[0][std::size_t(x)]);
       }
+      totals_.add(of_row);
     }
   }
 
