@@ -85,9 +85,10 @@ void load(const PicturePair& pair, int x, int y, int count, int channel, Parts<R
   std::visit(
       [&](const auto& reference) {
         const auto& test = std::get<std::decay_t<decltype(reference)>>(pair.test.samples);
+        const bool whole = pair.selection.includes_all();
         for (std::size_t i = 0; i < std::size_t(count); ++i) {
           const std::size_t at = first + i * channels;
-          const auto& other = pair.selection.compares(x + int(i), y) ? test : reference;
+          const auto& other = whole || pair.selection.compares(x + int(i), y) ? test : reference;
           const double r = unit(reference[at]);
           const double t = unit(other[at]);
           row[kSum][i] = r + t;
@@ -95,6 +96,33 @@ void load(const PicturePair& pair, int x, int y, int count, int channel, Parts<R
         }
       },
       pair.reference.samples);
+}
+
+// Filters a row, whose sums and differences are loaded, along x into row y of the planes.
+GLASSBOX_WIDE void filter_across(const Window& window, int width, int y, Parts<Row>& row,
+                                 Parts<Plane>& planes) {
+  auto& [sum, difference, sum_square, difference_square] = row;
+  for (std::size_t i = 0; i < std::size_t(width + 2 * kRadius); ++i) {
+    sum_square[i] = sum[i] * sum[i];
+    difference_square[i] = difference[i] * difference[i];
+  }
+  for (std::size_t part = 0; part < row.size(); ++part) {
+    filter_even<1>(row[part].data() + kRadius, width, window, 1.0,
+                   planes[part].data() + y * kStride);
+  }
+}
+
+// Computes the similarities of the windows whose centres are in row y of the box into row[kSum].
+GLASSBOX_WIDE void compute_similarities(const Window& window, int width, int y,
+                                        const Parts<Plane>& planes, Parts<Row>& row) {
+  for (std::size_t part = 0; part < row.size(); ++part) {
+    filter_even<kStride>(planes[part].data() + (y + kRadius) * kStride, width, window, 1.0,
+                         row[part].data());
+  }
+  auto& [sum, difference, sum_square, difference_square] = row;
+  for (std::size_t x = 0; x < std::size_t(width); ++x) {
+    sum[x] = similarity(sum[x], difference[x], sum_square[x], difference_square[x]);
+  }
 }
 
 struct Totals {
@@ -128,49 +156,23 @@ private:
   void add(const PicturePair& pair, const PixelBox& box, int channel) {
     for (int y = 0; y < box.height + 2 * kRadius; ++y) {
       load(pair, box.x - kRadius, box.y + y - kRadius, box.width + 2 * kRadius, channel, row_);
-      filter_across(box.width, y);
+      filter_across(window_, box.width, y, row_, planes_);
     }
     for (int y = 0; y < box.height; ++y) {
-      compute_row(box.width, y);
+      compute_similarities(window_, box.width, y, planes_, row_);
+      Totals of_row;
       for (int x = 0; x < box.width; ++x) {
-        if (pair.selection.compares(box.x + x, box.y + y)) totals_.add(row_[0][std::size_t(x)]);
+        if (pair.selection.compares(box.x + x, box.y + y)) of_row.add(row_[kSum][std::size_t(x)]);
       }
+      totals_.add(of_row);
     }
   }
-
-  void filter_across(int width, int y);
-  void compute_row(int width, int y);
 
   Window window_ = make_window();
   Parts<Row> row_;
   Parts<Plane> planes_;  // filtered along x
   Totals totals_;
 };
-
-// Filters row_, whose sums and differences are loaded, into row y of the planes.
-GLASSBOX_WIDE void SsimWorker::filter_across(int width, int y) {
-  auto& [sum, difference, sum_square, difference_square] = row_;
-  for (std::size_t i = 0; i < std::size_t(width + 2 * kRadius); ++i) {
-    sum_square[i] = sum[i] * sum[i];
-    difference_square[i] = difference[i] * difference[i];
-  }
-  for (std::size_t part = 0; part < row_.size(); ++part) {
-    filter_even<1>(row_[part].data() + kRadius, width, window_, 1.0,
-                   planes_[part].data() + y * kStride);
-  }
-}
-
-// Computes the similarities of row y of the box into row_[0].
-GLASSBOX_WIDE void SsimWorker::compute_row(int width, int y) {
-  for (std::size_t part = 0; part < row_.size(); ++part) {
-    filter_even<kStride>(planes_[part].data() + (y + kRadius) * kStride, width, window_, 1.0,
-                         row_[part].data());
-  }
-  auto& [sum, difference, sum_square, difference_square] = row_;
-  for (std::size_t x = 0; x < std::size_t(width); ++x) {
-    sum[x] = similarity(sum[x], difference[x], sum_square[x], difference_square[x]);
-  }
-}
 
 }  // namespace
 

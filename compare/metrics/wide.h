@@ -1,11 +1,12 @@
 // Vectors of 32 bytes where the processor has them.
 #pragma once
 
-// GLASSBOX_WIDE before a function makes two copies of it, one with the instructions of AVX2; the
-// first call chooses. Both give the same bits, because each lane does the same IEEE operations and
-// -ffp-contract=off keeps FMA out. A function that it calls must be inlined (GLASSBOX_INLINE) to be
-// copied with it. Other processors than x86-64 have one copy. So has ThreadSanitizer, which is not
-// ready yet when the copy is chosen.
+// GLASSBOX_WIDE before the first declaration of a function makes two copies of it, one with the
+// instructions of AVX2. The loader chooses the copy that suits the processor. Both give the same
+// bits, because each lane does the same IEEE operations and -ffp-contract=off keeps FMA out. A
+// function that it calls must be inlined (GLASSBOX_INLINE) to be copied with it. On other
+// processors than x86-64 there is one copy. The same holds under ThreadSanitizer, which is not
+// ready yet when the loader chooses.
 #if defined(__SANITIZE_THREAD__)
 #define GLASSBOX_HAS_THREAD_SANITIZER 1
 #elif defined(__has_feature)
