@@ -31,6 +31,7 @@ Result<Image<Rgba8>> decode_any(std::span<const std::byte> bytes, const DecodeLi
       return decode_pnm(bytes, limits);
     case PictureFormat::kPfm:
     case PictureFormat::kHdr:
+    case PictureFormat::kExr:
       return fail(
           "", "is a " + std::string(format->name) + " picture, whose floats cannot be used here",
           "convert it to PNG");

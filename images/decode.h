@@ -25,7 +25,7 @@ enum class Orientation : std::uint8_t {
 };
 
 // Returns the pixels of an image file: grey becomes r = g = b, a missing alpha becomes 255, and 16
-// bits a channel are rounded to the nearest 8-bit value. Floats (PFM, HDR) are refused. The
+// bits a channel are rounded to the nearest 8-bit value. Floats (PFM, HDR, EXR) are refused. The
 // first frame of an animation is read. Before anything is allocated
 // in proportion to the size in the header, this size is checked against the limits and against the
 // number of bytes that follow (a file too short for the size that it claims is refused).

@@ -9,10 +9,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr auto kToPng = "convert it to PNG, for example with ImageMagick"sv;
-// ImageMagick rounds floats to 16 bits unless it is built otherwise.
-constexpr auto kToPfm = "convert it to PFM, for example with pfstools, or render to PFM or HDR"sv;
-
 struct Signature {
   PictureFormat format;
   std::string_view name;
@@ -20,7 +16,6 @@ struct Signature {
   // What follows at byte `then_at`; empty where the start alone is enough.
   std::string_view then = ""sv;
   std::size_t then_at = 0;
-  std::string_view remedy = kToPng;
 };
 
 using enum PictureFormat;
@@ -40,6 +35,7 @@ constexpr Signature kSignatures[] = {
     {kPfm, "PFM", "PF"},
     {kHdr, "Radiance HDR", "#?RADIANCE"},
     {kHdr, "Radiance HDR", "#?RGBE"},
+    {kExr, "OpenEXR", "\x76\x2f\x31\x01"},
     {kNotRead, "GIF", "GIF87a"},
     {kNotRead, "GIF", "GIF89a"},
     {kNotRead, "TIFF", "II*\0"sv},
@@ -47,7 +43,6 @@ constexpr Signature kSignatures[] = {
     {kNotRead, "BigTIFF", "II+\0"sv},
     {kNotRead, "BigTIFF", "MM\0+"sv},
     {kNotRead, "WebP", "RIFF", "WEBP", 8},
-    {kNotRead, "OpenEXR", "\x76\x2f\x31\x01", "", 0, kToPfm},
     {kNotRead, "JPEG 2000", "\0\0\0\x0cjP  "sv},
     {kNotRead, "JPEG 2000", "\xff\x4f\xff\x51"},
     {kNotRead, "JPEG XL", "\0\0\0\x0cJXL "sv},
@@ -64,10 +59,10 @@ constexpr Signature kSignatures[] = {
 constexpr std::string_view kExtensions[] = {
     // read
     ".png", ".apng", ".jpg", ".jpeg", ".bmp", ".tga", ".ppm", ".pgm", ".pbm", ".pnm", ".pam",
-    ".pfm", ".hdr",
+    ".pfm", ".hdr", ".exr",
     // known by name
-    ".gif", ".tif", ".tiff", ".webp", ".exr", ".jp2", ".j2k", ".jxl", ".avif", ".heic", ".heif",
-    ".psd", ".dds", ".ktx", ".ktx2", ".qoi"};
+    ".gif", ".tif", ".tiff", ".webp", ".jp2", ".j2k", ".jxl", ".avif", ".heic", ".heif", ".psd",
+    ".dds", ".ktx", ".ktx2", ".qoi"};
 
 bool has_at(std::string_view bytes, std::size_t at, std::string_view part) {
   return at <= bytes.size() && bytes.substr(at).starts_with(part);
@@ -80,7 +75,7 @@ std::optional<NamedFormat> picture_format_of(std::span<const std::byte> bytes) {
                               std::min(bytes.size(), kFormatBytes));
   for (const Signature& one : kSignatures) {
     if (has_at(text, 0, one.start) && has_at(text, one.then_at, one.then)) {
-      return NamedFormat{one.format, one.name, one.remedy};
+      return NamedFormat{one.format, one.name};
     }
   }
   return std::nullopt;
@@ -88,11 +83,12 @@ std::optional<NamedFormat> picture_format_of(std::span<const std::byte> bytes) {
 
 tl::unexpected<Error> refuse_format(const NamedFormat& format) {
   return fail("", "is a " + std::string(format.name) + " picture, which is not read",
-              std::string(format.remedy));
+              "convert it to PNG, for example with ImageMagick");
 }
 
 tl::unexpected<Error> refuse_unknown() {
-  return fail("", "not a PNG, JPEG, BMP, TGA, PBM, PGM, PPM, PAM, PFM or Radiance HDR image",
+  return fail("",
+              "not a PNG, JPEG, BMP, TGA, PBM, PGM, PPM, PAM, PFM, Radiance HDR or OpenEXR image",
               "convert it to PNG");
 }
 

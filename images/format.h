@@ -18,13 +18,13 @@ enum class PictureFormat : std::uint8_t {
   kPnm,      // PBM, PGM, PPM (P1 to P6) and PAM (P7)
   kPfm,      // floats
   kHdr,      // Radiance, floats
+  kExr,      // OpenEXR, floats
   kNotRead,  // a format that is known by name alone
 };
 
 struct NamedFormat {
   PictureFormat format;
-  std::string_view name;    // "TIFF"
-  std::string_view remedy;  // what to do with a file of a format that is not read
+  std::string_view name;  // "TIFF"
 };
 
 // The length of the longest beginning that picture_format_of looks at.

@@ -32,11 +32,11 @@ Result<Picture> read_as(const std::string& path, const DecodeLimits& limits, aut
 }
 
 // The length of the longest file that an image within the limits can have. The widest pixel is
-// three floats; a sixteenth more and one MiB leave room for headers, filter bytes, text, and the
+// four floats; a sixteenth more and one MiB leave room for headers, filter bytes, text, and the
 // bytes by which deflate makes noise longer.
 std::uint64_t longest_file(const DecodeLimits& limits) {
   constexpr std::uint64_t kMaxPixels = std::uint64_t(1) << 32;  // keeps the product small
-  const std::uint64_t samples = std::min(limits.max_pixels, kMaxPixels) * sizeof(Rgb32f);
+  const std::uint64_t samples = std::min(limits.max_pixels, kMaxPixels) * 4 * sizeof(float);
   return samples + samples / 16 + (std::uint64_t(1) << 20);
 }
 

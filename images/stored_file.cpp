@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <glassbox/base/counted.h>
+#include <glassbox/images/exr_read.h>
 #include <glassbox/images/format.h>
 #include <glassbox/images/orientation.h>
 #include <glassbox/images/out_of_memory.h>
@@ -63,6 +64,7 @@ void add_bytes_behind(Bytes behind, const PnmEnd& end, StoredFile& file) {
 Result<StoredFile> decode_file(Bytes bytes, const DecodeLimits& limits) {
   StoredFile file;
   const auto format = picture_format_of(bytes);
+  if (format && format->format == PictureFormat::kExr) return decode_exr_file(bytes, limits);
   const bool is_pnm_file = format && format->format == PictureFormat::kPnm;
   PnmEnd end;
   auto image = is_pnm_file ? decode_pnm_stored(bytes, limits, &end) : decode_stored(bytes, limits);

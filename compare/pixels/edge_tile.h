@@ -15,8 +15,8 @@ inline constexpr int kTileWidth = 64, kTileHeight = 32;
 inline constexpr int kTileMargin = 4;  // px on each side of the tile
 
 // Element x of a row, and row y of a plane, belong to the column and the row of the picture that
-// lie x - kTileMargin and y - kTileMargin after the tile's first ones. The loops over columns have a
-// fixed length, which compilers turn into instructions for several columns.
+// lie x - kTileMargin and y - kTileMargin after the tile's first ones. The loops over columns have
+// a fixed length, which compilers turn into instructions for several columns.
 template <class Value>
 using TileRow = std::array<Value, std::size_t(kTileWidth + 2 * kTileMargin)>;
 template <class Value>
@@ -24,9 +24,9 @@ using TilePlane = std::array<TileRow<Value>, std::size_t(kTileHeight + 2 * kTile
 
 // Values of whole-number formats are floats, which hold the samples of 8 and 16 bits exactly. Sums
 // over 7 x 7 pixels have at most 16 roundings after one another, so each is off by less than 1e-6
-// of the sum of its terms' sizes. The smallest eigenvalue of the matrix that gives the movement is at
-// least 1/100 of its trace (see shift_around). Where values changed by no more than the slope of a
-// pixel, the movement is therefore off by less than 2e-4 px, which matters only for a value that
+// of the sum of its terms' sizes. The smallest eigenvalue of the matrix that gives the movement is
+// at least 1/100 of its trace (see shift_around). Where values changed by no more than the slope of
+// a pixel, the movement is therefore off by less than 2e-4 px, which matters only for a value that
 // lies this near to its bound. Pictures of floats need doubles, because the squares of their values
 // overflow a float.
 template <class Sample>

@@ -15,6 +15,7 @@
 #include <glassbox/images/stored_image.h>
 #include <glassbox/images/write.h>
 
+#include "tests/images/exr_builder.h"
 #include "tests/images/plain_builder.h"
 #include "tests/images/stored_builder.h"
 
@@ -137,6 +138,9 @@ std::vector<File> bombs(std::uint32_t width, std::uint32_t height) {
   for (const char* magic : {"Pf ", "PF "}) {
     files.push_back({"PFM", bytes_of(magic + size + " -1\n" + std::string(300, 'x'))});
   }
+  files.push_back({"EXR", test::build_exr({.data = {0, 0, width - 1, height - 1},
+                                           .display = {0, 0, width - 1, height - 1},
+                                           .compression = 3})});
   const auto narrow = std::uint16_t(width), low = std::uint16_t(height);
   for (const std::uint32_t bits : {1u, 8u, 24u, 32u}) {
     files.push_back(
@@ -359,6 +363,7 @@ TEST_CASE("garbage behind the first bytes of every format decodes whole or is re
                                         "GIF89a",
                                         "8BPS",
                                         "#?RADIANCE\n",
+                                        "\x76\x2f\x31\x01\2\0\0\0"s,
                                         "\x53\x80\xf6\x34"};
   for (int round = 0; round < 20000; ++round) {
     Bytes bytes = bytes_of(starts[std::size_t(round) % starts.size()]);

@@ -378,5 +378,5 @@ TEST_CASE("reading an image as stored names the file that it refuses") {
   CHECK(limited.error().file == corpus("grey.tga"));
   CHECK(limited.error().cause == "the image has 3 x 2 pixels, but may have at most 5 in all");
   CHECK(read_stored(corpus("options.txt")).error().cause ==
-        "not a PNG, JPEG, BMP, TGA, PBM, PGM, PPM, PAM, PFM or Radiance HDR image");
+        "not a PNG, JPEG, BMP, TGA, PBM, PGM, PPM, PAM, PFM, Radiance HDR or OpenEXR image");
 }
