@@ -72,8 +72,8 @@ void put_number(std::byte* to, std::uint32_t value, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) to[i] = std::byte(std::uint8_t(value >> 8 * i));
 }
 
-// PXR24 leaves out the lowest byte of floats. In a row of a channel, it compresses the highest bytes
-// of all samples, then the next ones, and so on. A sample is the sum of all up to it.
+// PXR24 leaves out the lowest byte of floats. In a row of a channel, it compresses the highest
+// bytes of all samples, then the next ones, and so on. A sample is the sum of all up to it.
 std::optional<ExrBytes> undo_pxr24(Bytes packed, const ExrChunk& chunk) {
   const auto kept_bytes = [](const ExrChannel& channel) {
     return channel.type == ExrType::kFloat ? std::size_t(3) : channel.bytes();

@@ -41,12 +41,11 @@ struct StoredHeader {
 inline constexpr DecodeLimits kCompareLimits{.max_pixels = std::uint64_t(1) << 28};
 
 // Reads PNG, JPEG, BMP, TGA, PBM, PGM, PPM, PAM, PFM, Radiance HDR or OpenEXR, recognised by the
-// content.
-// Palettes and samples of 1, 2 or 4 bits become the 8-bit colours or greys that they encode, tRNS
-// becomes alpha; the samples of PGM, PPM or PAM whose largest value is neither 255 nor 65535 become
-// the nearest 8-bit or 16-bit values. The pixels of HDR, which share an exponent, become the floats
-// that they encode, and so do the halves of OpenEXR. A JPEG is turned as its Exif orientation says. Nothing else is converted. The
-// errors are those of decode_image.
+// content. Palettes and samples of 1, 2 or 4 bits become the 8-bit colours or greys that they
+// encode, tRNS becomes alpha; the samples of PGM, PPM or PAM whose largest value is neither 255 nor
+// 65535 become the nearest 8-bit or 16-bit values. The pixels of HDR, which share an exponent,
+// become the floats that they encode, and so do the halves of OpenEXR. A JPEG is turned as its Exif
+// orientation says. Nothing else is converted. The errors are those of decode_image.
 Result<StoredImage> decode_stored(std::span<const std::byte> bytes,
                                   const DecodeLimits& limits = kCompareLimits);
 Result<StoredImage> read_stored(const std::string& path,
