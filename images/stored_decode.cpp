@@ -14,8 +14,9 @@ namespace {
 tl::unexpected<Error> is_empty() {
   return fail("", "the image is empty", "save the image again");
 }
-// Calls the reader of the format: with_png, with_pnm, with_pfm or with_exr, or with_stb of
-// one of its formats.
+
+// Calls the reader of the format: with_png, with_pnm, with_pfm or with_exr, or with_stb of one of
+// its formats.
 template <class Value>
 Result<Value> read_any(std::span<const std::byte> bytes, auto with_png, auto with_pnm,
                        auto with_pfm, auto with_exr, auto with_stb) {

@@ -13,8 +13,9 @@ namespace glassbox {
 struct StoredFile {
   StoredImage image;  // of an animation, the first frame
   // What else the file shows: the frames of an animated PNG, what stands behind the picture in a
-  // PBM, PGM, PPM or PAM file, or further channels of an OpenEXR file. Two files of equal first
-  // pictures and equal bytes here look the same throughout. Empty for most files.
+  // PBM, PGM, PPM or PAM file, or the further channels of an OpenEXR file and the place of its data
+  // window. Two files of equal first pictures and equal bytes here look the same throughout. Empty
+  // for most files.
   std::vector<std::byte> rest;
   std::string rest_name;           // "2 further frames", "18 bytes behind it"
   std::vector<std::string> notes;  // what is odd about the file, in sentences

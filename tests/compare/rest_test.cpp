@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 
+#include "tests/images/exr_builder.h"
 #include "tests/images/moving_png.h"
 #include "tests/images/temporary_directory.h"
 
@@ -81,6 +82,30 @@ TEST_CASE("a PPM that was written in text mode is named") {
   CHECK(has_note(same, "the reference: the header ends in CR LF"));
   // The last sample is behind the picture, so it must be the same, too.
   CHECK(compare(bad, "P6\r\n2 1\r\n255\r\nabcdeX").verdict == Verdict::kUncompared);
+}
+
+TEST_CASE("a further channel or another data window of an OpenEXR file does not pass unseen") {
+  const auto exr = [](std::uint8_t depth, std::uint32_t right) {
+    return text(build_exr({.channels = {{"Y"}, {"Z"}},
+                           .display = {0, 0, right, 0},
+                           .rows = {{0, 0x3c, depth, 0x3c}}}));
+  };
+  const Comparison same = compare(exr(1, 0), exr(1, 0));
+  CHECK(same.verdict == Verdict::kSame);
+  CHECK(has_note(same, "the reference has 1 further channel, the test 1 further channel"));
+  for (const auto& other : {exr(2, 0), exr(1, 5), text(build_exr({}))}) {
+    CHECK(compare(exr(1, 0), other).verdict == Verdict::kUncompared);
+    CHECK(compare(other, exr(1, 0)).verdict == Verdict::kUncompared);
+  }
+}
+
+TEST_CASE("OpenEXR with an alpha of 1 is the same as a PFM of its floats") {
+  const std::string pfm("Pf 1 1 -1\n\0\0\0\x3f", 14);  // 0.5
+  const auto exr = [](std::uint8_t alpha) {
+    return text(build_exr({.channels = {{"A"}, {"Y"}}, .rows = {{0, alpha, 0, 0x38}}}));
+  };
+  CHECK(compare(pfm, exr(0x3c)).verdict == Verdict::kSame);
+  CHECK(compare(pfm, exr(0x38)).verdict == Verdict::kDifferent);
 }
 
 TEST_CASE("a JPEG that its Exif data turn is compared upright, and the turning is noted") {

@@ -124,7 +124,7 @@ TEST_CASE(
   const auto changed = [&](int change) {
     ExrParts parts = plain;
     if (change == 0) parts.rows[0][3] = 9;
-    if (change == 1) parts.channels[1].name = "depth";  // comes before Y
+    if (change == 1) parts.channels[1].name = "depth";
     if (change == 2) parts.channels[1].type = 0;
     if (change == 3) parts.display = {0, 0, 1, 0};
     if (change == 4) parts.data = {1, 0, 1, 0};
@@ -134,7 +134,7 @@ TEST_CASE(
   for (int change = 0; change < kChanges; ++change) {
     CAPTURE(change);
     const StoredFile other = changed(change);
-    CHECK((other.image == file.image) == (change != 1));
+    CHECK(other.image == file.image);
     CHECK(other.rest != file.rest);
   }
   // Windows that were moved together show the same.

@@ -40,6 +40,7 @@ function setColour(out, colour) {
 function alphaOf(picture, samples, start) {
   if (picture.channels % 2) return 255;
   const value = samples[start + picture.channels - 1];
+  if (picture.type === "f32") return Math.round(clamp(value, 0, 1) * 255);
   return picture.type === "u16" ? Math.round(value / 257) : value;
 }
 
