@@ -21,9 +21,10 @@ constexpr std::size_t kMaxPrintedWalks = 16;
 std::string heading_text(const PointStep& step) {
   if (!step.setup.projection.given) return {};
   const auto [x, y, width, height] = step.window;
-  return wrapped("", fmt::format("{} ({}), window {}x{}{}", step.setup.dialect.title,
-                                 step.dialect_reason, width, height,
-                                 x == 0 && y == 0 ? "" : fmt::format(" at ({}, {})", x, y))) +
+  const std::string place = x == 0 && y == 0 ? "" : fmt::format(" at ({}, {})", x, y);
+  const std::string assumed = step.setup.picture ? "" : " (assumed: give yours with --size)";
+  return wrapped("", fmt::format("{} ({}), window {}x{}{}{}", step.setup.dialect.title,
+                                 step.dialect_reason, width, height, place, assumed)) +
          "\n";
 }
 

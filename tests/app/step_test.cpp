@@ -6,6 +6,7 @@
 
 #include "tests/app/sessions.h"
 #include "tests/app/step_run.h"
+#include "tests/app/text.h"
 
 namespace glassbox::test {
 namespace {
@@ -134,6 +135,20 @@ TEST_CASE("digits that the text lacks are told in pixels") {
 
 TEST_CASE("the sessions in docs/step.md are what the program prints") {
   CHECK(replay(WorkingDirectory(), "docs/step.md") >= 5);
+}
+
+TEST_CASE("a window that nobody gave is said to be assumed") {
+  const WorkingDirectory here;
+  const std::string words =
+      "step --point 0,0,-2 --proj '2 0 0 0  0 2 0 0  0 0 -1.002 -0.2002  0 0 -1 0'";
+  // It has the shape of the projection.
+  CHECK(
+      contains(unwrapped(here.run(words).out), "window 720x720 (assumed: give yours with --size)"));
+  for (const char* window : {" --size 1280x720", " --viewport 0,0,1280,720"}) {
+    const Outcome outcome = here.run(words + window);
+    CHECK(contains(outcome.out, "window 1280x720"));
+    CHECK(!contains(outcome.out, "assumed"));
+  }
 }
 
 }  // namespace
