@@ -32,19 +32,19 @@ constexpr std::size_t kBandBytes = std::size_t{1} << 18;
 
 struct Sink {
   std::vector<std::byte> bytes;
+  bool is_out_of_memory = false;
   char message[128] = {};
 };
 
 void append(png_structp png, png_bytep data, png_size_t size) {
   auto* sink = static_cast<Sink*>(png_get_io_ptr(png));
   const auto* first = reinterpret_cast<const std::byte*>(data);
-  bool stored = true;
   try {
     sink->bytes.insert(sink->bytes.end(), first, first + size);
   } catch (const std::exception&) {
-    stored = false;
+    sink->is_out_of_memory = true;
   }
-  if (!stored) png_error(png, "out of memory");
+  if (sink->is_out_of_memory) png_error(png, "out of memory");
 }
 
 void flush(png_structp) {}
@@ -267,19 +267,13 @@ Result<std::vector<std::byte>> encode_rows(const Layout& layout, const PackRow& 
                 "close other programs to free memory");
   png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_set_write_fn(writer.png, &writer.sink, append, flush);
-  const auto no_encoding = [](const char* why) {
-    return fail("", std::string("the PNG cannot be encoded: ") + why, "write a .ppm file instead");
-  };
-  std::vector<Band> bands;
-  try {
-    bands = compressed_rows(layout, pack);
-  } catch (const std::bad_alloc&) {
-    return no_encoding("out of memory");
+  const std::vector<Band> bands = compressed_rows(layout, pack);
+  if (write_png(writer.png, writer.info, layout, palette_of(layout), bands, texts)) {
+    return std::move(writer.sink.bytes);
   }
-  if (!write_png(writer.png, writer.info, layout, palette_of(layout), bands, texts)) {
-    return no_encoding(writer.sink.message);
-  }
-  return std::move(writer.sink.bytes);
+  if (writer.sink.is_out_of_memory) throw std::bad_alloc();
+  return fail("", std::string("the PNG cannot be encoded: ") + writer.sink.message,
+              "write a .ppm file instead");
 }
 
 }  // namespace

@@ -14,6 +14,8 @@
 
 namespace glassbox {
 
+// The functions that encode throw std::bad_alloc where there is not enough memory.
+
 // A keyword (1 to 79 printable ASCII characters) and a UTF-8 text, stored with the picture.
 using TextEntry = std::pair<std::string, std::string>;
 
