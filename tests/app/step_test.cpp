@@ -139,8 +139,8 @@ TEST_CASE("the sessions in docs/step.md are what the program prints") {
 
 TEST_CASE("a window that nobody gave is said to be assumed") {
   const WorkingDirectory here;
-  const std::string words =
-      "step --point 0,0,-2 --proj '2 0 0 0  0 2 0 0  0 0 -1.002 -0.2002  0 0 -1 0'";
+  here.write("proj.txt", "2 0 0 0  0 2 0 0  0 0 -1.002 -0.2002  0 0 -1 0\n");
+  const std::string words = "step --point 0,0,-2 --proj proj.txt";
   // It has the shape of the projection.
   CHECK(
       contains(unwrapped(here.run(words).out), "window 720x720 (assumed: give yours with --size)"));
