@@ -116,6 +116,8 @@ TEST_CASE("a golden file has the bytes that are written today") {
                                                           << ", and this is zlib " << zlibVersion()
                                                           << ": their pixels are compared alone");
   for (const Line& line : read_commands()) {
+    // A heat map has a palette, which is lost here. check_all compares the file that diff writes.
+    if (line.arguments.front() == "diff") continue;
     INFO("images/golden/" << line.file << ": make it again with images/golden/make.sh");
     const auto file = read_file(kGolden + line.file);
     REQUIRE(file);
