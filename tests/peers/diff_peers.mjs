@@ -236,11 +236,13 @@ function timeOfChildren() {
 
 function printTimes({reference, test}) {
   console.log();
-  row(["4096 x 2304, processor time in s", "moved edges count", "moved edges are set aside"]);
-  row(["---", "---", "---"]);
+  row(["4096 x 2304, processor time in s", "verdict", "with a picture of the differences", "moved edges set aside"]);
+  row(["---", "---", "---", "---"]);
   row(["glassbox", processorTime(program, "diff", reference, test),
+    processorTime(program, "diff", reference, test, "-o", file("heat.png")),
     processorTime(program, "diff", reference, test, "--ignore-antialiasing")]);
-  row(["odiff", processorTime(odiff, reference, test), processorTime(odiff, reference, test, "--aa")]);
+  row(["odiff", processorTime(odiff, reference, test), processorTime(odiff, reference, test, file("odiff.png")),
+    processorTime(odiff, reference, test, "--aa")]);
 }
 
 const pairs = corpus().map((pair) => ({...pair, differing: differing(pair)}));
