@@ -148,7 +148,8 @@ test("the list of approved pairs has each name as it is, and no name that it can
   const {page, problems, close} = await openPage(makePage("names/page.html", "names/reference", "names/test"));
   await page.click("#approve-all");
   const lines = (await saved(page)).split("\n");
-  assert.deepEqual(lines.slice(1, -1).sort(), [...plain].sort());
+  // A line that begins with # is a comment.
+  assert.deepEqual(lines.slice(1, -1).sort(), ["./#a.png", ...plain.slice(1)].sort());
   assert.equal(await page.locator("#pairs input:disabled").count(), 2);
   assert.equal(await page.locator("#approved-commands code").count(), 1, "a command line cannot show all of these names");
   await page.fill("#name-filter", "two");

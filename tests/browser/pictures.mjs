@@ -68,15 +68,16 @@ function paeth(a, b, c) {
   return pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
 }
 
-// PNGs of 8 bits a channel, without interlacing or palette: what the program writes.
+// PNGs of 8 bits a channel, without interlacing: what the program writes. A palette's indices become their colours.
 export function decodePng(file) {
-  let header, data = [];
+  let header, palette, data = [];
   for (let at = 8; at < file.length; at += 12 + file.readUInt32BE(at)) {
     const type = file.toString("latin1", at + 4, at + 8), body = file.subarray(at + 8, at + 8 + file.readUInt32BE(at));
     if (type === "IHDR") header = body;
+    if (type === "PLTE") palette = body;
     if (type === "IDAT") data.push(body);
   }
-  const width = header.readUInt32BE(0), height = header.readUInt32BE(4), channels = {0: 1, 2: 3, 4: 2, 6: 4}[header[9]];
+  const width = header.readUInt32BE(0), height = header.readUInt32BE(4), channels = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}[header[9]];
   if (header[8] !== 8 || !channels || header[12]) throw new Error("not a PNG that these tests read");
   const rows = inflateSync(Buffer.concat(data)), stride = width * channels, samples = new Uint8Array(stride * height);
   for (let y = 0; y < height; y++) {
@@ -89,5 +90,7 @@ export function decodePng(file) {
       samples[at] = rows[y * (stride + 1) + 1 + i] + predicted;
     }
   }
-  return {width, height, channels, bits: 8, samples: Array.from(samples)};
+  if (!palette) return {width, height, channels, bits: 8, samples: Array.from(samples)};
+  const colours = Array.from(samples).flatMap((index) => [...palette.subarray(3 * index, 3 * index + 3)]);
+  return {width, height, channels: 3, bits: 8, samples: colours};
 }
