@@ -11,8 +11,8 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 # If ccache is installed, compiling the same source again, in another clone or with the tests, takes
-# a copy. CCACHE_HASHDIR keeps ccache from copying objects with -g between clones, whatever the user's
-# own settings say: a debugger would look for their sources in the other clone.
+# a copy. CCACHE_HASHDIR keeps ccache from copying objects with -g between clones, whatever the
+# user's own settings say: a debugger would look for their sources in the other clone.
 find_program(GLASSBOX_CCACHE ccache DOC "Keeps what was compiled; empty: nothing does")
 if(GLASSBOX_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_HASHDIR=1

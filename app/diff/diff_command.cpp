@@ -178,7 +178,7 @@ int DiffCommand::approve(const std::vector<Comparison>& comparisons,
   const ApprovalChoice choice = choose_for_approval(comparisons, approval);
   int exit_code = kSuccess;
   for (const std::string& sentence : choice.unknown) {
-    exit_code = refuse({"", "approval", sentence, "the names are those that glassbox diff prints"});
+    exit_code = refuse({"", "", sentence, "the names are those that glassbox diff prints"});
   }
   std::vector<bool> is_approved(comparisons.size());
   for (const std::size_t i : choice.chosen) {

@@ -108,8 +108,11 @@ Result<Pairing> pair_directories(const std::string& reference, const std::string
     if (!has_picture(name, references->pictures)) pairing.orphans.push_back(below(reference, name));
   }
   if (pictures.empty()) {
-    return tl::unexpected(Error{reference, "", "there is no picture in it, nor in " + test,
-                                "name two directories with pictures, such as PNG files"});
+    const std::string cause = fs::exists(reference, ignored)
+                                  ? "there is no picture in it, nor in " + test
+                                  : "does not exist, and there is no picture in " + test;
+    return tl::unexpected(
+        Error{reference, "", cause, "name two directories with pictures, such as PNG files"});
   }
   for (auto& [name, paths] : pictures) {
     paths.name = name;

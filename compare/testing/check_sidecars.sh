@@ -1,6 +1,6 @@
 #!/bin/sh
-# Checks files of tolerances: check_sidecars.sh FILE.fuzzy ... Each must belong to a picture beside it,
-# and glassbox must be able to read it. The hook glassbox-fuzzy of .pre-commit-hooks.yaml runs this.
+# Checks files of tolerances: check_sidecars.sh FILE.fuzzy ... Each must belong to a picture beside
+# it, and glassbox must be able to read it. The hook glassbox-fuzzy of .pre-commit-hooks.yaml runs this.
 # Ends with 1 if something is wrong, and with 2 if there is no glassbox.
 set -eu
 

@@ -71,6 +71,19 @@ inline StoredImage random_picture(Random& random, int width, int height, int cha
   return image;
 }
 
+// The part of a picture in a box that lies within it, in a format that holds its samples.
+inline StoredImage part_of(const StoredImage& image, const PixelBox& box, Format format) {
+  StoredImage part = blank(box.width, box.height, image.channels, format);
+  for (int y = 0; y < box.height; ++y) {
+    for (int x = 0; x < box.width; ++x) {
+      for (int c = 0; c < image.channels; ++c) {
+        set_sample(part, x, y, c, sample_at(image, box.x + x, box.y + y, c));
+      }
+    }
+  }
+  return part;
+}
+
 // Reads a picture of the repository by its name in images/golden.
 inline StoredImage golden(const std::string& name) {
   auto image = read_stored(std::string(GLASSBOX_SOURCE_DIR) + "/images/golden/" + name);

@@ -51,12 +51,6 @@ function(run_tests expected says)
   endforeach()
 endfunction()
 
-function(expect_file path)
-  if(NOT EXISTS ${path})
-    message(FATAL_ERROR "${path} is missing")
-  endif()
-endfunction()
-
 run_tests(fails "no[ \n]+such[ \n]+reference.*GLASSBOX_APPROVE=1" A=B)
 run_tests(fails "CI[ \n]+is[ \n]+set" GLASSBOX_APPROVE=1 CI=true)
 if(EXISTS ${source}/images/disc.png)

@@ -25,12 +25,6 @@ function(run_ctest)
   endforeach()
 endfunction()
 
-function(expect_file path)
-  if(NOT EXISTS ${path})
-    message(FATAL_ERROR "${path} is missing")
-  endif()
-endfunction()
-
 configure()
 file(MAKE_DIRECTORY "${build}/a folder/out")
 run_ctest(EXPECT 3 "there is no golden image ${source}/golden/cube.png yet" "page: ${build}/golden-failures/cube.html"

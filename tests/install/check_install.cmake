@@ -12,6 +12,12 @@ function(run)
   message("${output}")
 endfunction()
 
+function(expect_file path)
+  if(NOT EXISTS ${path})
+    message(FATAL_ERROR "${path} is missing")
+  endif()
+endfunction()
+
 set(prefix "${work}/a prefix")
 file(REMOVE_RECURSE ${prefix} ${work}/consumer-build ${work}/cache)
 run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
