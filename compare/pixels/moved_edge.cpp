@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <variant>
 
+#include <glassbox/compare/pixels/alpha.h>
 #include <glassbox/compare/pixels/edge_rows.h>
 #include <glassbox/compare/pixels/edge_tile.h>
 
@@ -94,15 +95,19 @@ bool lies_at_edge(const Range& range, double value, double rounding) {
 
 template <class Value>
 bool has_edge(const Workspace<Value>& work, const RowFacts<Value>& facts, int x, int y) {
+  bool has_contrast = false;
   for (std::size_t c = 0; c < std::size_t(facts.channels); ++c) {
     const Value reference = work.values.reference[c][std::size_t(y)][std::size_t(x)];
     const Value test = work.values.test[c][std::size_t(y)][std::size_t(x)];
-    if (!lies_at_edge(range_at(facts.near_reference[c], x), test, work.rounding) ||
-        !lies_at_edge(range_at(facts.near_test[c], x), reference, work.rounding)) {
+    const Range in_reference = range_at(facts.near_reference[c], x);
+    const Range in_test = range_at(facts.near_test[c], x);
+    if (!lies_at_edge(in_reference, test, work.rounding) ||
+        !lies_at_edge(in_test, reference, work.rounding)) {
       return false;
     }
+    has_contrast |= std::min(in_reference.length(), in_test.length()) > work.rounding;
   }
-  return true;
+  return has_contrast;
 }
 
 struct Shift {
@@ -237,8 +242,7 @@ void load_rows(const PicturePair& pair, PixelPosition first, const JudgedRows& j
     if (is_near(judged, y, kReach)) load_row<Sample>(pair, first, y, work.values);
   }
   // An alpha that is 1 everywhere agrees with every movement.
-  const bool has_alpha = pair.reference.channels % 2 == 0;
-  if (has_alpha && work.values.opaque) --work.values.channels;
+  if (has_alpha(pair.reference.channels) && work.values.opaque) --work.values.channels;
   for (int y = 1; y + 1 < rows; ++y) {
     if (!is_near(judged, y, kAround)) continue;
     work.products[std::size_t(y)] = products_of_row(work.values, y);

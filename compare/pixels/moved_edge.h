@@ -17,8 +17,9 @@ inline constexpr int kMovedEdgeRows = 32;
 //
 // 1. There is an edge in both pictures. In each channel, each picture's value lies in the range of
 //    the other picture's 3 x 3 pixels, widened by its own length on both sides. (A line thinner
-//    than a pixel that moves to the middle of a pixel makes this pixel darker than any was.) A dot
-//    on a plain background fails.
+//    than a pixel that moves to the middle of a pixel makes this pixel darker than any was.) In
+//    some channel, both ranges are longer than rounding makes them: a dot on a plain background
+//    fails, and so does a plain background of another colour.
 // 2. The pixels around it moved in the same way. The other pixels of the 7 x 7 around it give the
 //    movement by least squares (Lucas and Kanade: An Iterative Image Registration Technique with an
 //    Application to Stereo Vision. IJCAI 1981). It is cut to kMaxEdgeShift. Pixel values are means

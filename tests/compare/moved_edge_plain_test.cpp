@@ -184,18 +184,6 @@ TEST_CASE("a verdict does not depend on which other pixels are judged") {
   });
 }
 
-StoredImage part_of(const StoredImage& image, const PixelBox& box, Format format) {
-  StoredImage part = blank(box.width, box.height, image.channels, format);
-  for (int y = 0; y < box.height; ++y) {
-    for (int x = 0; x < box.width; ++x) {
-      for (int c = 0; c < image.channels; ++c) {
-        set_sample(part, x, y, c, sample_at(image, box.x + x, box.y + y, c));
-      }
-    }
-  }
-  return part;
-}
-
 TEST_CASE("a verdict does not depend on where in the picture the pixel lies") {
   Random random(84);
   for (const Format format : kFormats) {

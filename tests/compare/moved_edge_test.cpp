@@ -129,6 +129,38 @@ StoredImage as_format(const StoredImage& bytes, Format format, double scale) {
   return image;
 }
 
+TEST_CASE("where neither picture has an edge, every change counts, however small") {
+  Random random(17);
+  for (const Format format : kFormats) {
+    for (int round = 0; round < 60; ++round) {
+      const int channels = int(random.integer(1, 4));
+      StoredImage plain = blank(24, 20, channels, format);
+      for (int c = 0; c < channels; ++c) {
+        const double sample = random_sample(random, format);
+        for (int y = 0; y < 20; ++y) {
+          for (int x = 0; x < 24; ++x) set_sample(plain, x, y, c, sample);
+        }
+      }
+      // Another colour everywhere, and a dot of it.
+      const double step = format == Format::kFloats ? 1e-3 : double(random.integer(1, 40));
+      const int changed = int(random.integer(0, channels - 1));
+      const double sample = sample_at(plain, 0, 0, changed);
+      const double other = sample > 0 ? std::max(sample - step, 0.0) : sample + step;
+      StoredImage all = plain, dot = plain;
+      set_sample(dot, 11, 9, changed, other);
+      for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 24; ++x) set_sample(all, x, y, changed, other);
+      }
+      INFO(name_of(format) << ", seed 17, round " << round);
+      CHECK(kinds_of(plain, all) == std::string(24 * 20, '!'));
+      std::string lonely(24 * 20, '=');
+      lonely[9 * 24 + 11] = '!';
+      CHECK(kinds_of(plain, dot) == lonely);
+      CHECK(kinds_of(dot, plain) == lonely);
+    }
+  }
+}
+
 TEST_CASE("it does not matter which picture is the reference") {
   for (const std::string& look : moved_edge_looks()) {
     const MovedPair pair = moved_pair(look, 0.4, 20, 11, 120, 80);
@@ -139,16 +171,16 @@ TEST_CASE("it does not matter which picture is the reference") {
 TEST_CASE("16-bit samples and floats are judged as bytes are") {
   const MovedPair pair = moved_pair("grey-text", 0.3, 20, 12, 120, 80);
   const std::string bytes = kinds_of(pair.reference, pair.test);
-  const auto agreement = [&bytes](const std::string& other) {
+  const auto disagreement = [&bytes](const std::string& other) {
     REQUIRE(other.size() == bytes.size());
     return std::inner_product(bytes.begin(), bytes.end(), other.begin(), 0, std::plus<>(),
                               [](char a, char b) { return a == b ? 0 : 1; });
   };
   // They have no slack for rounding, or a smaller one.
-  CHECK(agreement(kinds_of(as_format(pair.reference, Format::kShorts, 257),
-                           as_format(pair.test, Format::kShorts, 257))) <= 3);
-  CHECK(agreement(kinds_of(as_format(pair.reference, Format::kFloats, 1),
-                           as_format(pair.test, Format::kFloats, 1))) <= 3);
+  CHECK(disagreement(kinds_of(as_format(pair.reference, Format::kShorts, 257),
+                              as_format(pair.test, Format::kShorts, 257))) <= 3);
+  CHECK(disagreement(kinds_of(as_format(pair.reference, Format::kFloats, 1),
+                              as_format(pair.test, Format::kFloats, 1))) <= 3);
 }
 
 TEST_CASE("a channel that is the same everywhere agrees with every movement") {

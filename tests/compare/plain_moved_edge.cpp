@@ -161,10 +161,23 @@ bool may_be_edge(const Patches<Value>& of, double rounding) {
          lies_at_edge_of(of.b, of.a.at(0, 0), rounding);
 }
 
+// Whether both pictures have more contrast than rounding makes.
+template <class Value>
+bool has_contrast(const Patches<Value>& of, double rounding) {
+  Interval a, b;
+  a.add(of.a, 1);
+  b.add(of.b, 1);
+  return a.high - a.low > rounding && b.high - b.low > rounding;
+}
+
 template <class Value>
 bool follows_plainly(const std::vector<Patches<Value>>& all, double rounding) {
   const auto every = [&](const auto& holds) { return std::all_of(all.begin(), all.end(), holds); };
   if (!every([&](const auto& of) { return may_be_edge(of, rounding); })) return false;
+  if (std::none_of(all.begin(), all.end(),
+                   [&](const auto& of) { return has_contrast(of, rounding); })) {
+    return false;
+  }
   const std::array<double, 2> shift = shift_of(sums_around(all));
   const double x = shift[0], y = shift[1];
   return every([&](const auto& of) { return explains_plainly(of.a, of.b, x, y, rounding); }) ||
