@@ -6,7 +6,8 @@
 // bits, because each lane does the same IEEE operations and -ffp-contract=off keeps FMA out. A
 // function that it calls must be inlined (GLASSBOX_INLINE) to be copied with it. On other
 // processors than x86-64 there is one copy. The same holds under ThreadSanitizer, which is not
-// ready yet when the loader chooses.
+// ready yet when the loader chooses, and where an empty GLASSBOX_WIDE is defined on the command
+// line, as in a program with which the tests compare the bits.
 #if defined(__SANITIZE_THREAD__)
 #define GLASSBOX_HAS_THREAD_SANITIZER 1
 #elif defined(__has_feature)
@@ -15,7 +16,8 @@
 #endif
 #endif
 
-#if defined(__x86_64__) && !defined(GLASSBOX_HAS_THREAD_SANITIZER)
+#if defined(GLASSBOX_WIDE)
+#elif defined(__x86_64__) && !defined(GLASSBOX_HAS_THREAD_SANITIZER)
 #define GLASSBOX_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define GLASSBOX_WIDE
