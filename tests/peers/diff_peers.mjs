@@ -1,4 +1,5 @@
-// Compares glassbox diff with odiff, pixelmatch and reg-cli on the same pictures, and prints the tables of docs/diff.md.
+// Compares glassbox diff with odiff, pixelmatch and reg-cli on the same pictures, and prints the tables of docs/diff.md and
+// of docs/metrics.md (Cost).
 //
 //     node tests/peers/diff_peers.mjs build/release [FOLDER]
 //
@@ -50,6 +51,15 @@ function corpus() {
   });
 }
 
+// Runs a program that must end with one of these statuses, because a tool that failed has reported nothing.
+function run(command, words, ...statuses) {
+  const {status, stdout, stderr} = spawnSync(command, words, {stdio: "pipe", maxBuffer: 1 << 28});
+  if (statuses.includes(status)) return {status, stdout};
+  throw new Error(`${command} ${words.join(" ")} ended with ${status}: ${stderr}`);
+}
+
+const kOdiffStatuses = [0, 21, 22];  // the same, another size, other pixels
+
 // Each tool gives the pixels that it reports, as an array of 0 and 1.
 
 function byPixelmatch(version, threshold) {
@@ -64,8 +74,8 @@ function byOdiff(threshold) {
   return ({reference, test}) => {
     const out = file("odiff.png");
     fs.rmSync(out, {force: true});
-    spawnSync(odiff, [reference, test, out, "--aa", "--diff-mask", `--threshold=${threshold}`], {stdio: "pipe"});
-    if (!fs.existsSync(out)) return new Uint8Array(1 << 20);
+    const {status} = run(odiff, [reference, test, out, "--aa", "--diff-mask", `--threshold=${threshold}`], ...kOdiffStatuses);
+    if (status === 0) return reported(readPng(reference), () => false);  // it writes no picture
     return reported(readPng(out), (data, i) => data[i + 3] > 0);
   };
 }
@@ -74,7 +84,8 @@ function byOdiff(threshold) {
 function byGlassbox(...options) {
   const aside = ["0,0,0", "0,160,120", "0,90,170"];
   return ({reference, test}) => {
-    spawnSync(program, ["diff", reference, test, "-o", file("heat.png"), ...options], {stdio: "pipe"});
+    fs.rmSync(file("heat.png"), {force: true});
+    run(program, ["diff", reference, test, "-o", file("heat.png"), ...options], 0, 1);
     return reported(readPng(file("heat.png")), (data, i) => !aside.includes(data.subarray(i, i + 3).join()));
   };
 }
@@ -98,23 +109,23 @@ function differing({reference, test}) {
   return reported(a, (data, i) => [0, 1, 2, 3].some((c) => data[i + c] !== b.data[i + c]));
 }
 
-// How often a tool is right, pixel by pixel and picture by picture.
+// How often a tool is right, pixel by pixel and picture by picture. `changed` are pixels on plain ground or beside edges.
 function judge(tool, pairs) {
-  const sum = {moved: 0, movedReported: 0, plain: 0, plainFound: 0, edge: 0, edgeFound: 0, passed: 0, still: 0};
+  const sum = {moved: 0, movedReported: 0, changed: 0, changedFound: 0, still: 0, passed: 0, other: 0, found: 0};
   for (const pair of pairs) {
-    const found = tool(pair), {width} = readPng(pair.reference);
-    const changed = new Map(pair.changed.map(({x, y, kind}) => [y * width + x, kind]));
-    let any = false;
+    const reports = tool(pair), {width} = readPng(pair.reference);
+    const changed = new Set(pair.changed.map(({x, y}) => y * width + x));
+    let any = 0;
     pair.differing.forEach((differs, i) => {
       if (!differs) return;
-      any ||= found[i] === 1;
-      const kind = changed.get(i) ?? "moved";
-      sum[kind] += 1;
-      sum[kind === "moved" ? "movedReported" : `${kind}Found`] += found[i];
+      const found = reports[i];
+      any ||= found;
+      sum[changed.has(i) ? "changed" : "moved"] += 1;
+      sum[changed.has(i) ? "changedFound" : "movedReported"] += found;
     });
-    if (pair.changed.length) continue;
-    sum.still += 1;
-    sum.passed += any ? 0 : 1;
+    sum[changed.size ? "other" : "still"] += 1;
+    if (changed.size) sum.found += any;
+    else sum.passed += 1 - any;
   }
   return sum;
 }
@@ -122,15 +133,23 @@ function judge(tool, pairs) {
 const percent = (part, whole) => `${(100 * part / whole).toFixed(1)} %`;
 const row = (cells) => console.log(`| ${cells.join(" | ")} |`);
 
-function printAccuracy(pairs) {
-  row(["", "moved pixels reported", "changed pixels found, plain ground", "beside edges", "precision", "recall",
-    "pictures that only moved: passed"]);
+const count = (number) => number.toLocaleString("en");
+
+// `text` is the pair of a browser's text, or nothing.
+function printAccuracy(pairs, text) {
+  const {moved, changed, other} = judge(differing, pairs);
+  console.log(`${count(moved)} pixels differ because they moved, and ${count(changed)} pixels of ${other} pictures changed;`);
+  console.log(text ? `of a browser's text, ${count(text.differing.filter(Boolean).length)} pixels moved.`
+    : "skipped: the text of a browser, because chromium is not there");
+  console.log();
+  row(["", "moved pixels reported", "precision", "recall", "pictures that only moved: passed", "with changed pixels: found",
+    "of a browser's text reported"]);
   row(Array(7).fill("---"));
   for (const [name, tool] of Object.entries(tools)) {
-    const {moved, movedReported, plain, plainFound, edge, edgeFound, passed, still} = judge(tool, pairs);
-    const right = plainFound + edgeFound;
-    row([name, `${movedReported} of ${moved} (${percent(movedReported, moved)})`, percent(plainFound, plain),
-      percent(edgeFound, edge), percent(right, right + movedReported), percent(right, plain + edge), `${passed} of ${still}`]);
+    const sum = judge(tool, pairs), right = sum.changedFound;
+    row([name, percent(sum.movedReported, sum.moved), percent(right, right + sum.movedReported), percent(right, sum.changed),
+      `${sum.passed} of ${sum.still}`, `${sum.found} of ${sum.other}`,
+      text ? count(tool(text).filter(Boolean).length) : "not measured"]);
   }
 }
 
@@ -151,11 +170,10 @@ function printRegCli(pairs) {
   row(Array(3).fill("---"));
   const reg = file("reg.json");
   fs.rmSync(reg, {force: true});
-  spawnSync(regCli, [file("actual"), file("expected"), file("diff"), "-J", reg, "-A", "-M", "0.1"], {stdio: "pipe"});
-  if (fs.existsSync(reg)) verdicts("reg-cli -A -M 0.1", new Set(JSON.parse(fs.readFileSync(reg)).failedItems));
+  run(regCli, [file("actual"), file("expected"), file("diff"), "-J", reg, "-A", "-M", "0.1"], 0, 1);
+  verdicts("reg-cli -A -M 0.1", new Set(JSON.parse(fs.readFileSync(reg)).failedItems));
   for (const options of [["--ignore-antialiasing"], ["--ignore-antialiasing", "--threshold", "0.1"]]) {
-    const {stdout} = spawnSync(program, ["diff", file("expected"), file("actual"), "--json", "-", ...options],
-      {maxBuffer: 1 << 28});
+    const {stdout} = run(program, ["diff", file("expected"), file("actual"), "--json", "-", ...options], 0, 1);
     const {pictures} = JSON.parse(stdout);
     verdicts(`glassbox ${options.join(" ")}`,
       new Set(pictures.filter(({verdict}) => verdict === "different").map(({name}) => name)));
@@ -169,8 +187,7 @@ function printVerdicts(pair) {
   writePng(file("higher.png"), higher);
   fs.writeFileSync(file("rgb.png"), PNG.sync.write(rgb, {colorType: 2}));
   fs.writeFileSync(file("rgba.png"), PNG.sync.write(rgb, {colorType: 6}));
-  const verdict = (command, ...words) => ({0: "same", 1: "different"})[spawnSync(command, words, {stdio: "pipe"}).status] ??
-    "different or an error";
+  const verdict = (command, ...words) => run(command, words, 0, 1, ...kOdiffStatuses).status === 0 ? "same" : "different";
   console.log();
   row(["verdict", "odiff", "glassbox"]);
   row(["---", "---", "---"]);
@@ -180,8 +197,8 @@ function printVerdicts(pair) {
     verdict(program, "diff", file("rgb.png"), file("higher.png"))]);
 }
 
-// The same text twice, the second time a part of a pixel elsewhere, as a browser draws it.
-function printBrowserText() {
+// The same text twice, the second time a part of a pixel elsewhere, as a browser draws it. Nothing without a browser.
+function browserText() {
   const words = "The quick brown fox jumps over the lazy dog, 0123456789. <b>Bold</b>, <i>slanted</i> and <small>small</small>. ";
   const pictures = {};
   for (const [key, shift] of Object.entries({reference: "none", test: "translate(0.3px, 0.2px)"})) {
@@ -193,12 +210,7 @@ function printBrowserText() {
     spawnSync("chromium", ["--headless", "--no-sandbox", "--disable-gpu", "--window-size=640,240",
       `--screenshot=${pictures[key]}`, `file://${page}`], {stdio: "pipe", timeout: 120000});
   }
-  console.log();
-  if (!fs.existsSync(pictures.test)) return console.log("skipped: the text of a browser, because chromium is not there");
-  const differs = differing(pictures).filter(Boolean).length;
-  row([`text of a browser, moved by (0.3, 0.2) px: ${differs} pixels differ`, "pixels reported"]);
-  row(["---", "---"]);
-  for (const [name, tool] of Object.entries(tools)) row([name, tool(pictures).filter(Boolean).length]);
+  return fs.existsSync(pictures.test) ? {...pictures, differing: differing(pictures)} : undefined;
 }
 
 // A pair of 4096 x 2304 pixels of which the small one is a tile.
@@ -217,12 +229,20 @@ function largePair({reference, test}) {
   return large;
 }
 
+// The large reference, and the same picture with one pixel inverted.
+function onePixelPair({reference}) {
+  const png = readPng(reference), middle = 4 * (1152 * png.width + 2048);
+  for (let c = 0; c < 3; c++) png.data[middle + c] = 255 - png.data[middle + c];
+  fs.writeFileSync(file("large-one.png"), PNG.sync.write(png, {colorType: 2}));
+  return {reference, test: file("large-one.png")};
+}
+
 // The median of the processor time of five runs, in seconds.
 function processorTime(command, ...words) {
   const times = [];
   for (let i = 0; i < 5; i++) {
     const before = timeOfChildren();
-    spawnSync(command, words, {stdio: "pipe"});
+    run(command, words, 1, ...kOdiffStatuses);
     times.push(timeOfChildren() - before);
   }
   return times.sort((a, b) => a - b)[2].toFixed(2);
@@ -245,9 +265,21 @@ function printTimes({reference, test}) {
     processorTime(odiff, reference, test, "--aa")]);
 }
 
+function printTimesOfMetrics(large) {
+  const metrics = ["", "rmse", "ssim", "flip", "flip,ssim,psnr"];
+  const times = ({reference, test}) => metrics.map((metric) =>
+    processorTime(program, "diff", reference, test, ...(metric ? ["--metric", metric] : [])));
+  console.log();
+  row(["processor time in s", "no metric", ...metrics.slice(1)]);
+  row(Array(6).fill("---"));
+  row(["1.65 million pixels differ, all over the picture", ...times(large)]);
+  row(["one pixel differs", ...times(onePixelPair(large))]);
+}
+
 const pairs = corpus().map((pair) => ({...pair, differing: differing(pair)}));
-printAccuracy(pairs);
+printAccuracy(pairs, browserText());
 printRegCli(pairs);
 printVerdicts(pairs[0]);
-printBrowserText();
-printTimes(largePair(pairs.find(({name}) => name === "grey-text-0.3-moved")));
+const large = largePair(pairs.find(({name}) => name === "grey-text-0.3-moved"));
+printTimes(large);
+printTimesOfMetrics(large);
