@@ -57,11 +57,6 @@ bool is_directory(const std::string& path) {
   return fs::is_directory(path, ignored);
 }
 
-bool exists(const std::string& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored);
-}
-
 int exit_code_of(Verdict verdict) {
   if (passes(verdict)) return kSuccess;
   return verdict == Verdict::kDifferent ? kFailure : kBadInput;
@@ -94,7 +89,7 @@ void DiffCommand::add_to(CLI::App& app, int& exit_code) {
 // Finds out whether two directories are compared. A reference directory that does not exist yet
 // has no pictures.
 Result<void> DiffCommand::check_directories() {
-  const bool is_first_run = is_directory(request_.test) && !exists(request_.reference);
+  const bool is_first_run = is_directory(request_.test) && !may_exist(request_.reference);
   directories_ = is_directory(request_.reference) || is_directory(request_.test);
   if (directories_ && !is_first_run &&
       !(is_directory(request_.reference) && is_directory(request_.test))) {
@@ -112,8 +107,8 @@ Result<void> DiffCommand::check_directories() {
 
 Result<Pairing> DiffCommand::pair_up() const {
   if (directories_) return pair_directories(request_.reference, request_.test);
-  return Pairing{{{request_.test, request_.reference, request_.test, exists(request_.reference),
-                   exists(request_.test)}},
+  return Pairing{{{request_.test, request_.reference, request_.test, may_exist(request_.reference),
+                   may_exist(request_.test)}},
                  {}};
 }
 
@@ -162,7 +157,7 @@ void DiffCommand::print(const std::vector<Comparison>& comparisons, const Pairin
   for (const std::string& orphan : pairing.orphans) {
     fmt::print("note: {} belongs to no picture\n", printable(orphan, 400));
   }
-  if (directories_ && !exists(request_.reference)) {
+  if (directories_ && !may_exist(request_.reference)) {
     fmt::print(
         "note: the reference folder {} does not exist yet: look at the pictures; --approve "
         "creates it and makes them the references\n",

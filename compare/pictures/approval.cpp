@@ -2,16 +2,14 @@
 
 #include <fnmatch.h>
 
-#include <algorithm>
 #include <map>
 #include <sstream>
 
 #include <glassbox/base/printable.h>
+#include <glassbox/base/utf8.h>
 
 namespace glassbox {
 namespace {
-
-constexpr const char* kByteOrderMark = "\xef\xbb\xbf";
 
 bool matches(const std::string& pattern, const std::string& name) {
   const auto fits = [&](const std::string& text) {
@@ -24,7 +22,7 @@ bool matches(const std::string& pattern, const std::string& name) {
 
 Result<std::vector<std::string>> parse_approval_list(const std::string& text) {
   std::vector<std::string> names;
-  std::istringstream lines(text.starts_with(kByteOrderMark) ? text.substr(3) : text);
+  std::istringstream lines{std::string(without_byte_order_mark(text))};
   for (std::string line; std::getline(lines, line);) {
     if (line.ends_with('\r')) line.pop_back();
     if (line.empty() || line.front() == '#') continue;
@@ -32,7 +30,7 @@ Result<std::vector<std::string>> parse_approval_list(const std::string& text) {
   }
   if (!names.empty()) return names;
   return fail("", "there is no name of a picture in the list",
-              "write one name a line, as glassbox diff prints it");
+              "write one name a line, as --json has it, and ./ before a name that begins with #");
 }
 
 ApprovalChoice choose_for_approval(std::span<const Comparison> comparisons,

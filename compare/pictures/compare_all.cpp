@@ -31,8 +31,13 @@ std::vector<Comparison> compare_all(std::span<const PicturePaths> pairs,
       const std::lock_guard lock(calls);
       on_start(i);
     }
-    comparisons[i] = timed_comparison(pairs[i], options);
+    // A thread that waits for others inside of a comparison must not begin another one.
+    tbb::this_task_arena::isolate([&] { comparisons[i] = timed_comparison(pairs[i], options); });
   };
+  if (pairs.size() == 1) {  // may use all threads for itself
+    compare_one(0);
+    return comparisons;
+  }
   tbb::task_arena arena(std::min(tbb::this_task_arena::max_concurrency(), kMaxThreads));
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, pairs.size(), compare_one, tbb::simple_partitioner());

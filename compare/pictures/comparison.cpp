@@ -1,5 +1,6 @@
 #include <glassbox/compare/pictures/comparison.h>
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <glassbox/compare/pictures/sidecar.h>
 #include <glassbox/compare/pixels/difference_text.h>
 #include <glassbox/compare/pixels/explanation.h>
-#include <glassbox/compare/pixels/perceived_distance.h>
 #include <glassbox/images/png_text.h>
 #include <glassbox/images/read.h>
 #include <glassbox/images/stored_file.h>
@@ -42,8 +42,10 @@ std::vector<std::string> broken_limits(const CompareOptions& options, const Pict
                                  steps_text(*max_ulp, pair.reference)));
   }
   if (max_differing && !allows(*max_differing, found)) {
-    broken.push_back(
-        fmt::format("more than {} of {} pixels differ", to_string(*max_differing), found.compared));
+    broken.push_back(found.largest == kUnbounded
+                         ? "no number of pixels allows NaN or an infinity in place of a number"
+                         : fmt::format("more than {} of {} pixels differ",
+                                       to_string(*max_differing), found.compared));
   }
   if (set_aside.threshold && !fuzzy && !max_differing && found.differing > 0) {
     broken.push_back(fmt::format(
@@ -105,7 +107,7 @@ std::string place_text(const Canvas& canvas) {
   const int x = canvas.test.x - canvas.reference.x, y = canvas.test.y - canvas.reference.y;
   if (x == 0 && y == 0) return {};
   std::string text =
-      fmt::format("the test's top left corner lies on the reference's pixel ({}, {})", x, y);
+      fmt::format("the test begins at ({}, {}), counted from the reference's top left pixel", x, y);
   if (canvas.reference.x > 0 || canvas.reference.y > 0) {
     text += fmt::format(
         "; positions are counted on a canvas on which the reference begins at ({}, {}), the test "
@@ -116,10 +118,17 @@ std::string place_text(const Canvas& canvas) {
 }
 
 // Options that would let the pictures pass.
-std::vector<std::string> suggestions_for(const PicturePair& pair, const Differences& found) {
+std::vector<std::string> suggestions_for(const PicturePair& pair, const Comparison& comparison,
+                                         bool ignore_size) {
+  const auto fails = [](const MetricValue& metric) { return !metric.passes; };
+  if (std::ranges::any_of(comparison.metrics, fails)) {
+    return {"no suggestion: a metric does not keep its limit"};
+  }
+  const Differences& found = *comparison.differences;
   std::vector<std::string> lines{"fuzzy: " + suggested_fuzzy(found)};
   const std::string options = suggested_options(pair, found);
   if (!options.empty()) lines.push_back("short: " + options);
+  if (comparison.canvas && !ignore_size) lines.push_back("together with: --ignore-size");
   return lines;
 }
 
@@ -238,7 +247,7 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   if (!test_file) return uncompared(std::move(comparison), test_file.error());
   comparison.test = facts(test_path, test_file->image);
 
-  const auto pixels = std::make_shared<const PreparedPair>(
+  const auto pixels = std::make_shared<PreparedPair>(
       prepare_pair(std::move(reference_file->image), std::move(test_file->image), options));
   const PreparedPair& prepared = *pixels;
   comparison.opaque_alpha = prepared.opaque_alpha;
@@ -252,20 +261,22 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   ComparisonRules rules = combine_rules(options, *sidecar, comparison.notes);
   // max_ulp applies to floats only.
   if (!is_float(prepared.reference)) rules.options.tolerance.max_ulp.reset();
-  comparison.tolerance = tolerance_text(rules.options);
+  comparison.tolerance = tolerance_text(rules.options, prepared.canvas.has_value());
   comparison.tolerance_reason = rules.reason;
   comparison.ignore = rules.options.ignore;
   comparison.mask = rules.options.mask;
   comparison.nan_equals_nan = options.nan_equals_nan;
   comparison.canvas = prepared.canvas;
-  if (options.keep_pixels) comparison.pixels = pixels;
   comparison.set_aside = rules.options.tolerance.set_aside;
   const auto selection = selection_of(prepared, comparison);
   if (!selection) return uncompared(std::move(comparison), selection.error());
 
-  const PicturePair pair{prepared.reference, prepared.test, *selection, options.nan_equals_nan,
-                         comparison.set_aside};
-  comparison.differences = find_differences(pair);
+  PicturePair pair{prepared.reference, prepared.test, *selection, options.nan_equals_nan,
+                   comparison.set_aside};
+  comparison.differences =
+      find_differences(pair, pair.set_aside.empty() ? nullptr : &pixels->kinds);
+  pair.kinds = pixels->kinds;
+  if (options.keep_pixels) comparison.pixels = pixels;
   comparison.metrics = measure_metrics(pair, rules.options.metrics);
   decide_verdict(comparison, rules.options, pair, prepared.mismatch);
   if (comparison.differences->differing > 0) {
@@ -278,7 +289,7 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   const std::string place = prepared.canvas ? place_text(*prepared.canvas) : "";
   if (!place.empty()) comparison.notes.push_back(place);
   if (options.suggest_tolerance) {
-    comparison.suggestions = suggestions_for(pair, *comparison.differences);
+    comparison.suggestions = suggestions_for(pair, comparison, options.ignore_size);
   }
   if (!passes(comparison.verdict)) consult_recipes(comparison, options);
   consider_rest(comparison, *reference_file, *test_file);

@@ -92,10 +92,14 @@ std::string below(const std::string& directory, const std::string& name) {
 
 }  // namespace
 
+bool may_exist(const std::string& path) {
+  std::error_code error;
+  return fs::status(path, error).type() != fs::file_type::not_found;
+}
+
 Result<Pairing> pair_directories(const std::string& reference, const std::string& test) {
-  std::error_code ignored;
-  const Result<Files> references =
-      fs::exists(reference, ignored) ? files_below(reference) : Files();
+  const bool has_references = may_exist(reference);
+  const Result<Files> references = has_references ? files_below(reference) : Files();
   if (!references) return tl::unexpected(references.error());
   const auto tests = files_below(test);
   if (!tests) return tl::unexpected(tests.error());
@@ -108,9 +112,8 @@ Result<Pairing> pair_directories(const std::string& reference, const std::string
     if (!has_picture(name, references->pictures)) pairing.orphans.push_back(below(reference, name));
   }
   if (pictures.empty()) {
-    const std::string cause = fs::exists(reference, ignored)
-                                  ? "there is no picture in it, nor in " + test
-                                  : "does not exist, and there is no picture in " + test;
+    const std::string cause = has_references ? "there is no picture in it, nor in " + test
+                                             : "does not exist, and there is no picture in " + test;
     return tl::unexpected(
         Error{reference, "", cause, "name two directories with pictures, such as PNG files"});
   }

@@ -22,6 +22,10 @@ struct Pairing {
   std::vector<std::string> orphans;
 };
 
+// False if there is certainly no file or directory of this name; true also if it cannot be found
+// out, for example because a directory above it may not be searched.
+bool may_exist(const std::string& path);
+
 // Finds all pictures below the two directories, subfolders included (links to folders are not
 // followed): files with the extension of a picture, in upper or lower case, and files whose first
 // bytes are those of a picture, whatever their name. Formats that are known, but not read, are

@@ -1,6 +1,5 @@
 #include <glassbox/compare/pictures/prepared_pair.h>
 
-#include <cstdlib>
 #include <utility>
 
 #include <glassbox/compare/pixels/alpha.h>
@@ -25,8 +24,8 @@ void drop_opaque_alpha(PreparedPair& pair) {
 
 void lay_on_canvas(PreparedPair& pair) {
   if (!pair.canvas) return;
-  pair.reference = on_canvas(pair.reference, *pair.canvas, pair.canvas->reference);
-  pair.test = on_canvas(pair.test, *pair.canvas, pair.canvas->test);
+  pair.reference = on_canvas(std::move(pair.reference), *pair.canvas, pair.canvas->reference);
+  pair.test = on_canvas(std::move(pair.test), *pair.canvas, pair.canvas->test);
 }
 
 bool has_same_samples(const StoredImage& a, const StoredImage& b) {
@@ -46,7 +45,7 @@ bool PreparedPair::is_comparable() const {
 }
 
 PreparedPair prepare_pair(StoredImage reference, StoredImage test, const CompareOptions& options) {
-  PreparedPair pair{std::move(reference), std::move(test), OpaqueAlpha::kNone, {}, {}};
+  PreparedPair pair{std::move(reference), std::move(test), OpaqueAlpha::kNone, {}, {}, {}};
   if (options.alpha == AlphaRule::kLenient) {
     pair.opaque_alpha = opaque_alpha_of(pair.reference, pair.test);
     drop_opaque_alpha(pair);
@@ -66,7 +65,7 @@ Result<std::shared_ptr<const PreparedPair>> pixels_of(const Comparison& comparis
   auto test = read_stored(comparison.test.path);
   if (!test) return tl::unexpected(test.error());
   PreparedPair pair{
-      *std::move(reference), *std::move(test), comparison.opaque_alpha, comparison.canvas, {}};
+      *std::move(reference), *std::move(test), comparison.opaque_alpha, comparison.canvas, {}, {}};
   if (!is_the_picture(pair.reference, comparison.reference) ||
       !is_the_picture(pair.test, comparison.test)) {
     return fail(comparison.name, "a file has changed since it was compared", "compare again");

@@ -20,16 +20,19 @@ struct PreparedPair {
   std::optional<Canvas> canvas;  // none where the sizes are the same
   // Sentences about different sizes, channels or formats, from explain_format_mismatch.
   std::vector<std::string> mismatch;
+  // The kinds of all pixels, if the comparison set some aside; otherwise empty.
+  std::vector<PixelKind> kinds;
   // Whether the pictures have the same size, channels and format.
   bool is_comparable() const;
 };
 
 // Makes the pictures comparable, if it can: not if they differ in more than an opaque alpha and
-// their sizes, and not if the canvas would be too large.
+// their sizes.
 PreparedPair prepare_pair(StoredImage reference, StoredImage test, const CompareOptions& options);
 
 // The two pictures of a comparison, prepared as it did: those that it kept; otherwise they are read
-// again. An error if a file cannot be read, or is not the picture that was compared.
+// again. An error if a file cannot be read, or has another size, other channels or another format
+// by now.
 Result<std::shared_ptr<const PreparedPair>> pixels_of(const Comparison& comparison);
 
 // The pixels of the prepared pair that a comparison used.

@@ -45,7 +45,7 @@ ComparisonRules combine_rules(const CompareOptions& options, const std::optional
   return rules;
 }
 
-std::string tolerance_text(const CompareOptions& options) {
+std::string tolerance_text(const CompareOptions& options, bool sizes_differ) {
   std::string text;
   const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   if (options.tolerance.fuzzy) add(to_string(*options.tolerance.fuzzy));
@@ -59,6 +59,7 @@ std::string tolerance_text(const CompareOptions& options) {
   for (const MetricRequest& metric : options.metrics) {
     if (metric.limit) add(to_string(metric));
   }
+  if (sizes_differ && options.ignore_size) add("different sizes are ignored");
   return text;
 }
 
@@ -69,7 +70,7 @@ std::string stale_tolerance_text(const ComparisonRules& rules, const Differences
   const auto& most = rules.options.tolerance.max_differing;
   if (!found.has_any()) {
     const bool leaves_out = !rules.options.ignore.empty() || !rules.options.mask.empty();
-    return "out of date: the tolerance of " + rules.sidecar_path + " is not needed: delete " +
+    return "stale: the tolerance of " + rules.sidecar_path + " is not needed: delete " +
            (leaves_out ? "its lines" : "the file");
   }
   std::vector<std::string> enough;
@@ -80,8 +81,11 @@ std::string stale_tolerance_text(const ComparisonRules& rules, const Differences
   if (max_ulp && found.largest < *max_ulp) {
     enough.push_back(fmt::format("max-ulp: {}", found.largest));
   }
-  if (most && !most->share && found.differing < most->pixels) {
-    enough.push_back(fmt::format("max-differing: {}", found.differing));
+  if (most && tightest_like(*most, found) != *most) {
+    enough.push_back("max-differing: " + to_string(tightest_like(*most, found)));
+  }
+  if (rules.options.tolerance.set_aside.moved_edges && found.moved_edges.pixels == 0) {
+    enough.push_back("no ignore-antialiasing");
   }
   if (enough.empty()) return {};
   return "stale: " + rules.sidecar_path + " allows more than is needed; enough is " +

@@ -25,8 +25,9 @@ ComparisonRules combine_rules(const CompareOptions& options, const std::optional
 
 bool has_limit(const std::vector<MetricRequest>& metrics);
 
-// The tolerances as one would write them on the command line; empty: none.
-std::string tolerance_text(const CompareOptions& options);
+// The tolerances as one would write them on the command line; empty: none. `sizes_differ`: that
+// other sizes may pass is one of them.
+std::string tolerance_text(const CompareOptions& options, bool sizes_differ = false);
 
 // A sentence that says that the sidecar's tolerance allows more than these differences need; empty
 // if it does not.

@@ -7,6 +7,7 @@
 
 #include <glassbox/base/printable.h>
 #include <glassbox/base/trimmed.h>
+#include <glassbox/base/utf8.h>
 #include <glassbox/images/read.h>
 
 namespace glassbox {
@@ -89,8 +90,7 @@ Result<Sidecar> parse_sidecar(const std::string& path, const std::string& text) 
   Sidecar sidecar;
   sidecar.path = path;
   int number = 0;
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  for (std::size_t start = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  for (std::size_t start = text.size() - without_byte_order_mark(text).size();
        start < text.size();) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
     const std::string_view line = trimmed(std::string_view(text).substr(start, end - start));

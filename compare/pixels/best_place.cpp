@@ -108,7 +108,7 @@ struct Candidate {
 constexpr auto kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
 // The places at which the probes differ least. A place is given up as soon as it is worse than the
-// worst of the best so far.
+// worst of the best so far, or as bad: of two such places, the earlier one is better.
 template <class Sample>
 std::vector<Candidate> finalists(const Overlay<Sample>& overlay, const Places& places) {
   const std::vector<PixelPosition> probes = probes_in(overlay);
@@ -117,7 +117,7 @@ std::vector<Candidate> finalists(const Overlay<Sample>& overlay, const Places& p
     for (int x = places.first.x; x <= places.last.x; ++x) {
       Candidate candidate{0, {x, y}};
       const auto limit = best.size() < kFinalists ? kNoLimit : best.front().steps;
-      for (std::size_t i = 0; i < probes.size() && candidate.steps <= limit; ++i) {
+      for (std::size_t i = 0; i < probes.size() && candidate.steps < limit; ++i) {
         candidate.steps += overlay.steps(candidate.place, probes[i].x, probes[i].y);
       }
       if (best.size() == kFinalists && !(candidate < best.front())) continue;

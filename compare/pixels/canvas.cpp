@@ -10,19 +10,17 @@ PixelPosition place_of_test(const StoredImage& reference, const StoredImage& tes
                             Alignment alignment) {
   if (alignment == Alignment::kTopLeft) return {};
   if (alignment == Alignment::kBest) return best_place(reference, test);
-  const auto half = [](int difference) {
-    return difference >= 0 ? difference / 2 : -(-difference / 2);
-  };
-  return {half(reference.width - test.width), half(reference.height - test.height)};
+  return {(reference.width - test.width) / 2, (reference.height - test.height) / 2};
 }
 
 }  // namespace
 
-std::optional<Canvas> place_on_canvas(const StoredImage& reference, const StoredImage& test,
-                                      Alignment alignment) {
+Canvas place_on_canvas(const StoredImage& reference, const StoredImage& test, Alignment alignment) {
   const int width = std::max(reference.width, test.width);
   const int height = std::max(reference.height, test.height);
-  if (std::uint64_t(width) * std::uint64_t(height) > kCompareLimits.max_pixels) return {};
+  // No side of a picture that is read is longer than max_side, so no canvas is too large.
+  static_assert(std::uint64_t(kCompareLimits.max_side) * kCompareLimits.max_side <=
+                kCompareLimits.max_pixels);
   const auto [x, y] = place_of_test(reference, test, alignment);
   return Canvas{width,
                 height,
@@ -30,7 +28,8 @@ std::optional<Canvas> place_on_canvas(const StoredImage& reference, const Stored
                 {std::max(x, 0), std::max(y, 0), test.width, test.height}};
 }
 
-StoredImage on_canvas(const StoredImage& image, const Canvas& canvas, const PixelBox& place) {
+StoredImage on_canvas(StoredImage image, const Canvas& canvas, const PixelBox& place) {
+  if (place.width == canvas.width && place.height == canvas.height) return image;
   StoredImage whole{canvas.width, canvas.height, image.channels, {}};
   const auto channels = std::size_t(image.channels);
   std::visit(

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include <glassbox/compare/pixels/differences.h>
 #include <glassbox/compare/pixels/selection.h>
@@ -12,8 +11,8 @@ namespace glassbox {
 
 enum class Alignment : std::uint8_t {
   kTopLeft,  // the top left corners lie on each other
-  kCentre,   // the centres do, to the nearest pixel up and to the left
-  kBest,     // where the pictures differ least
+  kCentre,  // the centres do, or miss by half a pixel: the smaller picture lies higher or further left
+  kBest,  // where the pictures differ least
 };
 
 // The smallest canvas that has both pictures. Positions are counted from its top left corner.
@@ -25,13 +24,11 @@ struct Canvas {
 };
 
 // Places two pictures so that the overlap is as wide as the narrower one and as high as the lower
-// one. For kBest they must have the same channels and format. Nothing if the canvas would have more
-// pixels than kCompareLimits allows.
-std::optional<Canvas> place_on_canvas(const StoredImage& reference, const StoredImage& test,
-                                      Alignment alignment);
+// one. For kBest they must have the same channels and format.
+Canvas place_on_canvas(const StoredImage& reference, const StoredImage& test, Alignment alignment);
 
 // The picture at its place; the samples of the rest are 0.
-StoredImage on_canvas(const StoredImage& image, const Canvas& canvas, const PixelBox& place);
+StoredImage on_canvas(StoredImage image, const Canvas& canvas, const PixelBox& place);
 
 // The pixels of the overlap that `own`, a selection of the reference's pixels, has.
 Selection on_canvas(const Selection& own, const Canvas& canvas);

@@ -147,7 +147,8 @@ bool row_differences(const PicturePair& pair, int y, std::span<std::uint32_t> st
 }
 
 DifferenceRows::DifferenceRows(const PicturePair& pair)
-    : pair_(pair), rows_together_(pair.set_aside.moved_edges ? kMovedEdgeRows : 1) {
+    : pair_(pair),
+      rows_together_(pair.set_aside.moved_edges && pair.kinds.empty() ? kMovedEdgeRows : 1) {
   const int rows = std::min(rows_together_, pair.reference.height);
   const std::size_t pixels = std::size_t(rows) * std::size_t(pair.reference.width);
   steps_.resize(pixels);
@@ -165,9 +166,17 @@ bool DifferenceRows::next() {
 void DifferenceRows::compute_together() {
   const int rows = std::min(rows_together_, pair_.reference.height - y_);
   for (int row = 0; row < rows; ++row) {
+    may_differ_[std::size_t(row)] = row_differences(pair_, y_ + row, row_of(steps_, row));
+  }
+  if (pair_.kinds.empty()) return find_kinds(rows);
+  const auto first = std::size_t(y_) * std::size_t(pair_.reference.width);
+  std::ranges::copy(pair_.kinds.subspan(first, kinds_.size()), kinds_.begin());
+}
+
+void DifferenceRows::find_kinds(int rows) {
+  for (int row = 0; row < rows; ++row) {
     const auto steps = row_of(steps_, row);
     const auto kinds = row_of(kinds_, row);
-    may_differ_[std::size_t(row)] = row_differences(pair_, y_ + row, steps);
     std::transform(steps.begin(), steps.end(), kinds.begin(), [](std::uint32_t step) {
       return step == 0 ? PixelKind::kSame : PixelKind::kDifferent;
     });
@@ -178,12 +187,15 @@ void DifferenceRows::compute_together() {
   mark_moved_edges(pair_, y_, std::span(kinds_).first(pixels));
 }
 
-Differences find_differences(const PicturePair& pair, std::size_t kept_regions) {
+Differences find_differences(const PicturePair& pair, std::vector<PixelKind>* kinds,
+                             std::size_t kept_regions) {
   Differences found;
+  if (kinds != nullptr) kinds->clear();
   found.compared = pair.selection.compared_pixels();
   RegionFinder regions(pair.reference.width, kept_regions);
   for (DifferenceRows rows(pair); rows.next();) {
     const auto steps = rows.steps();
+    if (kinds != nullptr) kinds->insert(kinds->end(), rows.kinds().begin(), rows.kinds().end());
     if (rows.may_differ() && !pair.set_aside.empty()) set_aside(rows.kinds(), steps, found);
     regions.add_row(rows.y(), steps);
     if (!rows.may_differ()) continue;

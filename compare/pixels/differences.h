@@ -26,6 +26,8 @@ struct SetAside {
   bool empty() const { return !threshold && !moved_edges; }
 };
 
+enum class PixelKind : std::uint8_t { kSame, kDifferent, kMovedEdge, kBelowThreshold };
+
 // Two pictures of the same size, channels and format, and the pixels of them that are compared.
 struct PicturePair {
   const StoredImage& reference;
@@ -33,6 +35,8 @@ struct PicturePair {
   const Selection& selection;
   bool nan_equals_nan = false;
   SetAside set_aside = {};
+  // The kinds of all pixels, row by row, if find_differences has found them already.
+  std::span<const PixelKind> kinds = {};
 };
 
 // The number of floats from a to b: 0 for the same bits, 1 for neighbours; -0 and +0 are neighbours
@@ -80,8 +84,6 @@ struct Differences {
   }
 };
 
-enum class PixelKind : std::uint8_t { kSame, kDifferent, kMovedEdge, kBelowThreshold };
-
 // The rows of a pair from the top: how much each pixel differs, and what its difference is. A pixel
 // that is below the threshold is not also counted as a moved edge. Some rows are computed together;
 // the memory is proportional to them.
@@ -100,6 +102,7 @@ public:
 
 private:
   void compute_together();
+  void find_kinds(int rows);
   int row() const { return y_ % rows_together_; }
   template <class T>
   std::span<T> row_of(std::vector<T>& rows, int row) const {
@@ -116,7 +119,8 @@ private:
 };
 
 // Makes one pass over the rows; the memory is proportional to a DifferenceRows and to the regions
-// kept.
-Differences find_differences(const PicturePair& pair, std::size_t kept_regions = 100);
+// kept. If `kinds` is given, it gets the kinds of all pixels, row by row.
+Differences find_differences(const PicturePair& pair, std::vector<PixelKind>* kinds = nullptr,
+                             std::size_t kept_regions = 100);
 
 }  // namespace glassbox

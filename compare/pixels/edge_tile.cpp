@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include <glassbox/compare/pixels/alpha.h>
+
 namespace glassbox {
 namespace {
 
@@ -14,7 +16,7 @@ struct TileColumns {
 };
 
 TileColumns columns_inside(int width, PixelPosition first) {
-  const int last = int(std::size(TileRow<float>{}));
+  const int last = int(std::tuple_size_v<TileRow<float>>);
   return {std::max(0, kTileMargin - first.x), std::min(last, width - first.x + kTileMargin)};
 }
 
@@ -40,9 +42,8 @@ template <class Sample>
 void load_inside(const Sample* pixels, int channels, TileColumns inside, int y,
                  std::array<TilePlane<TileValue<Sample>>, 4>& planes, bool& opaque) {
   using Value = TileValue<Sample>;
-  const bool has_alpha = channels % 2 == 0;
   TileRow<Value> alpha;
-  const bool row_is_opaque = !has_alpha || load_alpha(pixels, channels, inside, alpha);
+  const bool row_is_opaque = !has_alpha(channels) || load_alpha(pixels, channels, inside, alpha);
   opaque &= row_is_opaque;
   for (int channel = 0; channel < channels; ++channel) {
     auto& values = planes[std::size_t(channel)][std::size_t(y)];

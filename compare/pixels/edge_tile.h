@@ -22,13 +22,14 @@ using TileRow = std::array<Value, std::size_t(kTileWidth + 2 * kTileMargin)>;
 template <class Value>
 using TilePlane = std::array<TileRow<Value>, std::size_t(kTileHeight + 2 * kTileMargin)>;
 
-// Values of whole-number formats are floats, which hold the samples of 8 and 16 bits exactly. Sums
-// over 7 x 7 pixels have at most 16 roundings after one another, so each is off by less than 1e-6
-// of the sum of its terms' sizes. The smallest eigenvalue of the matrix that gives the movement is
-// at least 1/100 of its trace (see shift_around). Where values changed by no more than the slope of
-// a pixel, the movement is therefore off by less than 2e-4 px, which matters only for a value that
-// lies this near to its bound. Pictures of floats need doubles, because the squares of their values
-// overflow a float.
+// Values of whole-number formats are floats, which hold opaque samples of 8 and 16 bits exactly; a
+// colour times its alpha is rounded, by at most 2^-24 of itself. Sums over 7 x 7 pixels have at
+// most 16 roundings after one another, so each is off by less than 1e-6 of the sum of its terms'
+// sizes. The smallest eigenvalue of the matrix that gives the movement is at least 1/100 of the
+// trace that it had before the identity was added (see shift_around). Where values changed by no
+// more than the slope of a pixel, the movement is therefore off by less than 2e-4 px, which matters
+// only for a value that lies this near to its bound. Pictures of floats need doubles, because the
+// squares of their values overflow a float.
 template <class Sample>
 using TileValue = std::conditional_t<std::is_integral_v<Sample>, float, double>;
 

@@ -28,6 +28,11 @@ struct Hypothesis {
   std::array<int, 4> source = {0, 1, 2, 3};
   // absent: a sample fits if it is the same
   std::function<bool(int channel, Sample from, Sample to)> fits = {};
+
+  // The pixel of the reference from which pixel (x, y) of the test is made; it may lie outside.
+  PixelPosition source_of(int x, int y) const {
+    return {x_sign * x + x_offset, y_sign * y + y_offset};
+  }
 };
 
 template <class Sample>
@@ -153,18 +158,14 @@ std::vector<PixelPosition> first_differing(const PicturePair& pair, int first_ro
 template <class Sample>
 bool is_refuted_by(const std::vector<PixelPosition>& pixels, const PicturePair& pair,
                    const Hypothesis<Sample>& hypothesis, std::uint64_t limit) {
-  const int width = pair.reference.width, height = pair.reference.height;
-  const Sample *reference = row_of<Sample>(pair.reference, 0), *test = row_of<Sample>(pair.test, 0);
-  const auto offset = [&](int x, int y) {
-    return (std::ptrdiff_t(y) * width + x) * pair.reference.channels;
-  };
   std::uint64_t misses = 0;
-  for (const auto& [x, y] : pixels) {
-    const int from_x = hypothesis.x_sign * x + hypothesis.x_offset;
-    const int from_y = hypothesis.y_sign * y + hypothesis.y_offset;
-    if (!is_within(from_x, width) || !is_within(from_y, height)) continue;
-    const bool right =
-        predicts(pair, hypothesis, reference + offset(from_x, from_y), test + offset(x, y));
+  for (const PixelPosition& pixel : pixels) {
+    const PixelPosition from = hypothesis.source_of(pixel.x, pixel.y);
+    if (!is_within(from.x, pair.reference.width) || !is_within(from.y, pair.reference.height)) {
+      continue;
+    }
+    const bool right = predicts(pair, hypothesis, pixel_at<Sample>(pair.reference, from),
+                                pixel_at<Sample>(pair.test, pixel));
     misses += right ? 0u : 1u;
     if (misses > limit) return true;
   }
@@ -365,6 +366,21 @@ std::optional<std::string> only_channel(const PicturePair& pair, int first_row) 
                        : fmt::format("only {} differs", kNames[std::size_t(channel)]);
 }
 
+// The pixels that are compared, without those whose differences are set aside.
+Selection without_set_aside(const PicturePair& pair) {
+  Selection counted = pair.selection;
+  if (pair.set_aside.empty()) return counted;
+  for (DifferenceRows rows(pair); rows.next();) {
+    const auto kinds = rows.kinds();
+    for (std::size_t x = 0; x < kinds.size(); ++x) {
+      const bool aside =
+          kinds[x] == PixelKind::kMovedEdge || kinds[x] == PixelKind::kBelowThreshold;
+      if (aside) counted.exclude(int(x), rows.y());
+    }
+  }
+  return counted;
+}
+
 std::string size_of(const StoredImage& image) {
   return fmt::format("{} x {}", image.width, image.height);
 }
@@ -374,12 +390,16 @@ std::string size_of(const StoredImage& image) {
 std::vector<std::string> explain_differences(const PicturePair& pair,
                                              const Differences& differences) {
   if (differences.differing == 0) return {};
+  const Selection counted = without_set_aside(pair);
+  const PicturePair counting{pair.reference, pair.test, counted, pair.nan_equals_nan};
   return std::visit(
       [&](const auto& samples) {
         using Sample = typename std::decay_t<decltype(samples)>::value_type;
         std::vector<std::string> hints;
-        if (auto best = best_explanation<Sample>(pair, differences)) hints.push_back(*best);
-        if (auto only = only_channel<Sample>(pair, differences.first.y)) hints.push_back(*only);
+        if (auto best = best_explanation<Sample>(counting, differences)) hints.push_back(*best);
+        if (auto only = only_channel<Sample>(counting, differences.first.y)) {
+          hints.push_back(*only);
+        }
         return hints;
       },
       pair.reference.samples);
@@ -399,8 +419,7 @@ std::vector<std::string> explain_format_mismatch(const StoredImage& reference,
     sentences.push_back(fmt::format("the reference is {}, the test {}", channel_names(reference),
                                     channel_names(test)));
     const StoredImage& more = reference.channels > test.channels ? reference : test;
-    if (std::abs(reference.channels - test.channels) == 1 && more.channels % 2 == 0 &&
-        is_opaque(more)) {
+    if (std::abs(reference.channels - test.channels) == 1 && is_opaque(more)) {
       sentences.push_back("the alpha channel is opaque everywhere");
     }
   }

@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <glassbox/compare/pixels/alpha.h>
+
 namespace glassbox {
 namespace {
 
@@ -21,7 +23,7 @@ CodedColour coded_colour(const Sample* samples, int channels) {
   const bool grey = channels < 3;
   const auto at = [&](int channel) { return double(samples[channel]) / kUnit; };
   CodedColour colour{at(0), at(grey ? 0 : 1), at(grey ? 0 : 2)};
-  if (channels % 2 == 0) colour.alpha = at(channels - 1);
+  if (has_alpha(channels)) colour.alpha = at(channels - 1);
   return colour;
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include <glassbox/base/printable.h>
+#include <glassbox/compare/pixels/alpha.h>
 
 namespace glassbox {
 namespace {
@@ -23,8 +24,7 @@ bool take(std::string_view& text, char c) {
 }
 
 bool is_black(const StoredImage& mask, std::size_t pixel) {
-  const bool has_alpha = mask.channels == 2 || mask.channels == 4;
-  const auto colours = std::size_t(mask.channels - (has_alpha ? 1 : 0));
+  const auto colours = std::size_t(mask.channels - (has_alpha(mask.channels) ? 1 : 0));
   return std::visit(
       [&](const auto& samples) {
         const auto first = samples.begin() + std::ptrdiff_t(pixel * std::size_t(mask.channels));

@@ -54,9 +54,11 @@ constexpr std::uint64_t kOnePercent = 1'000'000;  // in the unit of a share
 
 // Reads a percentage without its sign: "0.1" is 100000 millionths.
 bool read_share(std::string_view text, std::uint64_t& share) {
+  text = trimmed(text);
   const auto point = std::min(text.find('.'), text.size());
   std::string decimals(point < text.size() ? text.substr(point + 1) : "");
   if (point + 1 == text.size() || decimals.size() > kShareDecimals) return false;
+  if (text.find_first_not_of("0123456789.") != text.npos) return false;
   decimals.resize(kShareDecimals, '0');
   std::uint64_t whole = 0, part = 0;
   if (!read_count(text.substr(0, point), whole) || !read_count(decimals, part)) return false;
@@ -128,7 +130,7 @@ Result<MaxDiffering> parse_max_differing(const std::string& text) {
   std::uint64_t share = 0;
   const bool good = percent ? read_share(number, share) : read_count(number, most.pixels);
   if (!good) {
-    return fail("", "not a number of pixels: " + in_quotes(text),
+    return fail("", "not a number of pixels, nor a share up to 100%: " + in_quotes(text),
                 "write a whole number, as in 12, or a percentage, as in 0.1%");
   }
   if (percent) most.share = share;
@@ -148,6 +150,12 @@ bool allows(const MaxDiffering& most, const Differences& differences) {
   if (!most.share) return differences.differing <= most.pixels;
   // Both products stay below 2^60: at most 2^28 pixels are compared.
   return differences.differing * 100 * kOnePercent <= *most.share * differences.compared;
+}
+
+MaxDiffering tightest_like(const MaxDiffering& most, const Differences& differences) {
+  if (!most.share) return {differences.differing, {}};
+  const std::uint64_t parts = differences.differing * 100 * kOnePercent;
+  return {0, (parts + differences.compared - 1) / differences.compared};
 }
 
 Result<double> parse_threshold(const std::string& text) {

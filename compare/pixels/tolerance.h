@@ -59,6 +59,10 @@ std::string to_string(const MaxDiffering& most);
 // Whether no more pixels differ. A difference of kUnbounded is never allowed.
 bool allows(const MaxDiffering& most, const Differences& differences);
 
+// The smallest number or share, whichever `most` is, that allows these differences; a share is
+// rounded up to a millionth of a percent.
+MaxDiffering tightest_like(const MaxDiffering& most, const Differences& differences);
+
 // Parses a number from 0 to 1: a distance of perceived_distance.h.
 Result<double> parse_threshold(const std::string& text);
 

@@ -27,8 +27,8 @@ std::optional<StoredImage> read_again(const PictureFacts& facts) {
 std::optional<StoredImage> heat_of(const Comparison& comparison, const PreparedPair& pair) {
   const auto selection = selection_of(pair, comparison);
   if (!selection) return {};
-  auto levels = heat_map(
-      {pair.reference, pair.test, *selection, comparison.nan_equals_nan, comparison.set_aside});
+  auto levels = heat_map({pair.reference, pair.test, *selection, comparison.nan_equals_nan,
+                          comparison.set_aside, pair.kinds});
   const auto differing = std::count_if(levels.pixels.begin(), levels.pixels.end(), is_heat);
   if (std::uint64_t(differing) != comparison.differences->differing) return {};
   return StoredImage{levels.width, levels.height, 1,

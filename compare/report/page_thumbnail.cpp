@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <glassbox/compare/pixels/alpha.h>
 #include <glassbox/compare/pixels/heat_map.h>
 
 namespace glassbox {
@@ -74,13 +75,12 @@ template <class Sample>
 Rgba8 mean_colour(const StoredImage& image, const std::vector<Sample>& samples,
                   const Levels& levels, const PixelBox& box) {
   const auto channels = std::size_t(image.channels);
-  const bool has_alpha = image.channels % 2 == 0;
   std::array<std::uint64_t, 3> sums{};
   for (int y = box.y; y < box.y + box.height; ++y) {
     for (int x = box.x; x < box.x + box.width; ++x) {
       const Sample* pixel =
           &samples[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * channels];
-      const std::uint64_t alpha = has_alpha ? levels(pixel[channels - 1]) : 255;
+      const std::uint64_t alpha = has_alpha(image.channels) ? levels(pixel[channels - 1]) : 255;
       for (std::size_t i = 0; i < 3; ++i) {
         sums[i] += levels(pixel[channels < 3 ? 0 : i]) * alpha + kGround * (255 - alpha);
       }

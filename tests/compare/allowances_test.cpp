@@ -40,11 +40,12 @@ TEST_CASE("a number of pixels and a share of them are read and written") {
   CHECK(most(" 12 ") == MaxDiffering{12, {}});
   CHECK(most("0.1%").share == 100000u);
   CHECK(most("100%").share == 100000000u);
+  CHECK(most(" 0.1 % ").share == 100000u);
   for (const char* text : {"0", "12", "0.1%", "100%", "0%", "0.000001%", "12.5%", "3%"}) {
     CHECK(to_string(most(text)) == text);
   }
   for (const char* text : {"", "%", "-1", "1.5", "101%", "100.000001%", "0.0000001%", "1e2", "1.%",
-                           ".5%", "1%%", "1 %x", "0x4", "nan", "-0.1%"}) {
+                           ".5%", "1%%", "1 %x", "0x4", "nan", "-0.1%", "0. 5%", "0 .5%", "1 2%"}) {
     INFO(text);
     const auto refused = parse_max_differing(text);
     REQUIRE(!refused);

@@ -63,14 +63,15 @@ TEST_CASE("a list of random names chooses just these") {
     std::vector<std::string> names, wanted;
     std::string list = "# names\n";
     for (int i = 0; i < 12; ++i) {
-      std::string name = std::to_string(i);
+      std::string name = (i % 3 == 0 ? "#" : i % 3 == 1 ? "./" : "") + std::to_string(i);
       for (auto length = random.integer(0, 6); length > 0; --length) {
         name += "ab*?[]\\/ #"[random.integer(0, 9)];
       }
       names.push_back(name);
       if (random.integer(0, 1) == 0) continue;
       wanted.push_back(name);
-      list += name + "\n";
+      // Only these names need something before them.
+      list += (name.starts_with('#') || name.starts_with("./") ? "./" : "") + name + "\n";
     }
     const auto parsed = parse_approval_list(list);
     REQUIRE(parsed.has_value() == !wanted.empty());

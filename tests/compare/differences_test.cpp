@@ -112,7 +112,7 @@ TEST_CASE("the differences of random pictures are those of a pixel-by-pixel comp
     REQUIRE(found.differing == differing);
     REQUIRE(found.largest == largest);
     std::uint64_t in_regions = 0;
-    for (const Region& region : find_differences(c.pair(), 2000).regions) {
+    for (const Region& region : find_differences(c.pair(), nullptr, 2000).regions) {
       in_regions += region.pixels;
     }
     REQUIRE(in_regions == differing);

@@ -21,8 +21,8 @@ using Words = std::vector<std::string>;
 const char* const kPictures[] = {"f-glyph.png", "shade-phong.png", "inside-room.png"};
 
 Words explained(const StoredImage& reference, const StoredImage& test, const Selection& selection,
-                bool nan_equals_nan = false) {
-  const PicturePair pair{reference, test, selection, nan_equals_nan};
+                bool nan_equals_nan = false, const SetAside& set_aside = {}) {
+  const PicturePair pair{reference, test, selection, nan_equals_nan, set_aside};
   return explain_differences(pair, find_differences(pair));
 }
 
@@ -275,6 +275,36 @@ TEST_CASE("what is left out is no evidence against an explanation") {
     for (int x = 0; x < 160; ++x) set_sample(test, x, y, 0, (x * y) % 256);
   }
   CHECK(explained(reference, test, selection) == Words{"the test is the reference upside down"});
+}
+
+TEST_CASE("what is set aside is no evidence against an explanation") {
+  Random random(68);
+  for (const char* name : kPictures) {
+    const StoredImage reference = golden(name);
+    const int right = reference.width - 1, bottom = reference.height - 1;
+    for (const Move& move : {Move{1, 1, 1, -2}, Move{-1, right, 1, 0}, Move{1, 0, -1, bottom}}) {
+      const StoredImage slipped = moved(reference, move);
+      // One step, where the slip changed nothing.
+      StoredImage test = slipped;
+      for (int y = 0; y < test.height; ++y) {
+        for (int x = 0; x < test.width; ++x) {
+          bool same = true;
+          for (int c = 0; c < 3; ++c) {
+            same &= sample_at(slipped, x, y, c) == sample_at(reference, x, y, c);
+          }
+          if (!same || random.integer(0, 2) == 0) continue;
+          const double blue = sample_at(reference, x, y, 2);
+          set_sample(test, x, y, 2, blue > 0 ? blue - 1 : 1);
+        }
+      }
+      const Selection all(reference.width, reference.height);
+      const Words words = explained(reference, slipped);
+      INFO(name << ", seed 68");
+      REQUIRE(words.size() == 1);
+      CHECK(explained(reference, test, all) != words);
+      CHECK(explained(reference, test, all, false, {0.02, false}) == words);
+    }
+  }
 }
 
 TEST_CASE("noise and a real difference are not explained") {

@@ -135,12 +135,35 @@ TEST_CASE("a tolerance wider than needed is stale, and the one that is enough is
   CHECK(contains(one, "max-ulp: 3"));
 }
 
+TEST_CASE("the share that is enough is enough, and no smaller one is") {
+  Random random(66);
+  for (int round = 0; round < 300; ++round) {
+    Differences found = differences(3, std::uint64_t(random.integer(1, 5000)));
+    found.compared = found.differing + std::uint64_t(random.integer(0, 100000));
+    INFO("seed 66, round " << round << ": " << found.differing << " of " << found.compared);
+    const MaxDiffering enough = tightest_like({0, 100000000}, found);
+    CHECK(allows(enough, found));
+    CHECK(!allows(MaxDiffering{0, *enough.share - 1}, found));
+    CHECK(stale("max-differing: " + to_string(enough), found).empty());
+    if (*enough.share == 100000000) continue;
+    CHECK(contains(stale("max-differing: 100%", found), "max-differing: " + to_string(enough)));
+  }
+}
+
+TEST_CASE("moved edges that there are none of need no line") {
+  Differences found = differences(3, 7);
+  CHECK(contains(stale("ignore-antialiasing: yes\nmax-differing: 7", found),
+                 "enough is no ignore-antialiasing"));
+  found.moved_edges = {4, 9};
+  CHECK(stale("ignore-antialiasing: yes\nmax-differing: 7", found).empty());
+}
+
 TEST_CASE("a tolerance of pictures that are the same is not needed") {
   for (const char* text :
        {"fuzzy: 0-4;0-7", "fuzzy: 0;0", "max-ulp: 0", "max-ulp: 4", "metric: flip.mean<0.05"}) {
     const std::string note = stale(text, differences(0, 0));
     INFO(text << ": " << note);
-    CHECK(contains(note, "out of date"));
+    CHECK(contains(note, "stale"));
     CHECK(contains(note, "not needed"));
     CHECK(contains(note, "delete the file"));
   }
