@@ -2,6 +2,7 @@
 // as text, in sidecars, and in verdicts.
 #include "tests/support/catch.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -191,6 +192,32 @@ TEST_CASE("suggested options allow the pictures, and still do when they come nea
   CompareOptions tighter;
   tighter.tolerance = tolerance(*threshold - 0.0001);
   CHECK(files.compare(tighter).verdict == Verdict::kDifferent);
+}
+
+TEST_CASE("nothing is suggested where a metric fails") {
+  const GreenFiles files(12);
+  CompareOptions options;
+  options.suggest_tolerance = true;
+  options.metrics = *parse_metrics("psnr>1000");
+  CHECK(files.compare(options).suggestions ==
+        std::vector<std::string>{"no suggestion: a metric does not keep its limit"});
+  options.metrics = *parse_metrics("psnr>1");
+  CHECK(files.compare(options).suggestions.size() == 2);
+}
+
+TEST_CASE("NaN is no pixel that a number of pixels allows, and the reason says so") {
+  const TemporaryDirectory directory;
+  StoredImage numbers = blank(4, 3, 1, Format::kFloats), one = numbers;
+  set_sample(one, 2, 1, 0, std::numeric_limits<double>::quiet_NaN());
+  const std::string a = directory.file("a.pfm"), b = directory.file("b.pfm");
+  REQUIRE(write_file(a, *encode_pfm(numbers)));
+  REQUIRE(write_file(b, *encode_pfm(one)));
+  CompareOptions options;
+  options.tolerance = tolerance({}, "12");
+  const Comparison found = compare_files(a, b, options);
+  CHECK(found.verdict == Verdict::kDifferent);
+  REQUIRE(!found.reasons.empty());
+  CHECK(found.reasons[0].find("no number of pixels allows NaN") != std::string::npos);
 }
 
 TEST_CASE("a sidecar has the short forms, too") {

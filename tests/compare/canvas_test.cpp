@@ -130,6 +130,23 @@ TEST_CASE("other sizes pass if this is asked for, and what both have passes") {
   CHECK(files.compare("scene.png", "changed.png", options).verdict == Verdict::kWithinTolerance);
 }
 
+TEST_CASE("what is suggested for pictures of different sizes passes with --ignore-size") {
+  const SizesFiles files;
+  CompareOptions options;
+  options.alignment = Alignment::kBest;
+  options.suggest_tolerance = true;
+  const auto suggestions = files.compare("scene.png", "changed.png", options).suggestions;
+  REQUIRE(suggestions.size() == 3);
+  CHECK(suggestions[2] == "together with: --ignore-size");
+  options.tolerance.fuzzy = *parse_fuzzy(suggestions[0].substr(7));
+  CHECK(!passes(files.compare("scene.png", "changed.png", options).verdict));
+  options.ignore_size = true;
+  const Comparison found = files.compare("scene.png", "changed.png", options);
+  CHECK(passes(found.verdict));
+  CHECK(found.tolerance == suggestions[0].substr(7) + ", different sizes are ignored");
+  CHECK(found.suggestions.size() == 2);
+}
+
 TEST_CASE("positions are counted on the canvas, and a note says where it lies") {
   const SizesFiles files;
   CompareOptions options;

@@ -206,6 +206,16 @@ TEST_CASE("a reference directory that does not exist has no pictures") {
   CHECK(pairing->pictures[0].reference == nowhere + "/a.png");
 }
 
+TEST_CASE("a reference directory that cannot be looked for is an error") {
+  const TwoFolders here;
+  here.add("out/a.png");
+  const std::string endless(5000, 'x');  // longer than a file's name may be
+  CHECK(may_exist(endless));
+  const auto pairing = pair_directories(endless, here.out());
+  REQUIRE(!pairing);
+  CHECK(pairing.error().cause.find("cannot be listed") != std::string::npos);
+}
+
 TEST_CASE("names that are no text are paired, too") {
   const TwoFolders here;
   const std::string odd = "\xff\n\x1b.png";
