@@ -11,7 +11,7 @@ namespace glassbox {
 
 enum class Alignment : std::uint8_t {
   kTopLeft,  // the top left corners lie on each other
-  kCentre,  // the centres do, or miss by half a pixel: the smaller picture lies higher or further left
+  kCentre,  // the centres do, or miss by half a pixel: the smaller one lies higher or further left
   kBest,  // where the pictures differ least
 };
 
