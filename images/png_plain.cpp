@@ -100,8 +100,19 @@ std::optional<PlainParts> plain_parts(Bytes file, const DecodeLimits& limits) {
   }
 }
 
+// Whether the window that zlib's header states is as long as any distance in the data can be.
+// libdeflate decompresses data with longer distances, too, and libpng refuses most such data. The
+// first four bits of the header are the logarithm of the window's length minus 8 (RFC 1950, 2.2).
+bool has_wide_window(Bytes data, std::size_t inflated_bytes) {
+  constexpr std::size_t kLongestDistance = 32768;  // RFC 1951, 3.2.5
+  if (data.empty()) return false;
+  const std::size_t window = std::size_t(256) << (std::to_integer<unsigned>(data[0]) >> 4);
+  return window >= std::min(inflated_bytes, kLongestDistance);
+}
+
 // Decompresses the data to exactly `target`. Returns whether nothing of them was left over.
 bool decompress(Bytes data, std::span<std::uint8_t> target) {
+  if (!has_wide_window(data, target.size())) return false;
   const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
       libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
   if (!decompressor) return false;
