@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -173,9 +174,26 @@ Result<void> check_version(std::uint64_t version) {
   return {};
 }
 
+// Checks the bytes of all samples: a file of many channels takes much memory for few pixels.
+Result<void> check_sample_bytes(std::uint64_t width, std::uint64_t height,
+                                const std::vector<ExrChannel>& channels,
+                                const DecodeLimits& limits) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t most_bytes =
+      limits.max_pixels > kMost / kExrLimitBytes ? kMost : limits.max_pixels * kExrLimitBytes;
+  const std::size_t pixel_bytes = exr_pixel_bytes(channels);
+  if (width * height <= most_bytes / pixel_bytes) return {};
+  return fail(
+      "",
+      fmt::format("the image has {} x {} pixels of {} bytes in {}, but all samples may have "
+                  "at most {} bytes",
+                  width, height, pixel_bytes, counted(channels.size(), "channel"), most_bytes),
+      "save fewer channels in a file, or scale the image down");
+}
+
 // Checks a size before it is an int. Returns an error if so many pixels cannot fit into the file.
-Result<void> check_window(const ExrWindow& data, std::size_t pixel_bytes, std::size_t file_bytes,
-                          const DecodeLimits& limits) {
+Result<void> check_window(const ExrWindow& data, const std::vector<ExrChannel>& channels,
+                          std::size_t file_bytes, const DecodeLimits& limits) {
   // One byte of deflate encodes at most 1032 bytes (zlib's "Technical Details"), and PXR24 leaves
   // out every fourth byte of a float. The other compressions that are read encode less.
   constexpr std::uint64_t kMostSampleBytes = std::uint64_t(1032) * 4 / 3;
@@ -186,6 +204,10 @@ Result<void> check_window(const ExrWindow& data, std::size_t pixel_bytes, std::s
   if (auto sound = check_image_size(width, height, file_bytes, kMostSampleBytes, limits); !sound) {
     return sound;
   }
+  if (auto sound = check_sample_bytes(width, height, channels, limits); !sound) {
+    return sound;
+  }
+  const std::size_t pixel_bytes = exr_pixel_bytes(channels);
   if (width * height / kMostSampleBytes > file_bytes / pixel_bytes) {
     return fail("",
                 fmt::format("an image of {} x {} pixels of {} bytes cannot fit into {} bytes",
@@ -203,7 +225,7 @@ Result<void> check_window(const ExrWindow& data, std::size_t pixel_bytes, std::s
 
 }  // namespace
 
-std::size_t ExrHeader::pixel_bytes() const {
+std::size_t exr_pixel_bytes(std::span<const ExrChannel> channels) {
   std::size_t bytes = 0;
   for (const ExrChannel& channel : channels) bytes += channel.bytes();
   return bytes;
@@ -234,7 +256,7 @@ Result<ExrHeader> read_exr_header(Bytes bytes, const DecodeLimits& limits) {
   const auto compression = compression_of(values->compression, header.channels);
   if (!compression) return error(compression);
   header.compression = *compression;
-  if (const auto sound = check_window(*data, header.pixel_bytes(), bytes.size(), limits); !sound) {
+  if (const auto sound = check_window(*data, header.channels, bytes.size(), limits); !sound) {
     return error(sound);
   }
 

@@ -179,9 +179,7 @@ std::optional<ExrBytes> undo_b44(Bytes packed, const ExrChunk& chunk) {
 }  // namespace
 
 std::size_t ExrChunk::bytes() const {
-  std::size_t pixel = 0;
-  for (const ExrChannel& channel : channels) pixel += channel.bytes();
-  return width * height * pixel;
+  return width * height * exr_pixel_bytes(channels);
 }
 
 std::optional<ExrBytes> unpack_exr(Bytes packed, ExrCompression compression,

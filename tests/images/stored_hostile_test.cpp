@@ -215,6 +215,20 @@ TEST_CASE("a tiny file that claims to be huge is refused without the memory") {
   }
 }
 
+TEST_CASE("a small OpenEXR picture of many channels is refused without the memory") {
+  // A file of 400 kB claims to have 1024 x 1024 pixels of 64 floats, which are 256 MiB.
+  const std::vector<std::uint32_t> window{0, 0, 1023, 1023};
+  test::ExrParts parts{
+      .channels = {}, .data = window, .display = window, .compression = 3, .rows = {Bytes(400000)}};
+  for (int i = 0; i < 63; ++i) parts.channels.push_back({"c" + std::to_string(i), 2});
+  parts.channels.push_back({"Y", 2});
+  const Bytes file = test::build_exr(parts);
+  const Run run = in_child([&] { return decode(file, {.max_pixels = 1 << 20}) ? 1 : 0; });
+  CHECK(run.result == 0);
+  CHECK(run.grown_kib >= 0);
+  CHECK(run.grown_kib < 32 * 1024);  // as above
+}
+
 TEST_CASE("more pixels than the limit allows are refused before they are decoded") {
   for (const auto& [name, bytes] : small_files()) {
     CAPTURE(name);
