@@ -126,7 +126,10 @@ Result<ExrCompression> compression_of(Bytes value, const std::vector<ExrChannel>
   }
   const auto compression = ExrCompression(number);
   const bool is_b44 = compression == ExrCompression::kB44 || compression == ExrCompression::kB44a;
-  if (is_b44 && std::ranges::any_of(channels, &ExrChannel::is_perceptual)) {
+  const auto is_logarithm = [](const ExrChannel& channel) {
+    return channel.type == ExrType::kHalf && channel.is_perceptual;
+  };
+  if (is_b44 && std::ranges::any_of(channels, is_logarithm)) {
     return refuse_exr("with B44 compression of logarithms", kToZip);
   }
   return compression;
@@ -174,6 +177,13 @@ Result<void> check_version(std::uint64_t version) {
   return {};
 }
 
+// Whether a window has pixels, and no coordinate that OpenEXR's library refuses as too far away.
+bool is_possible(const ExrWindow& window) {
+  constexpr std::int32_t kFarthest = std::int32_t(1) << 30;
+  return window.width() > 0 && window.height() > 0 && window.left > -kFarthest &&
+         window.top > -kFarthest && window.right < kFarthest && window.bottom < kFarthest;
+}
+
 // Checks the bytes of all samples: a file of many channels takes much memory for few pixels.
 Result<void> check_sample_bytes(std::uint64_t width, std::uint64_t height,
                                 const std::vector<ExrChannel>& channels,
@@ -214,12 +224,6 @@ Result<void> check_window(const ExrWindow& data, const std::vector<ExrChannel>& 
                             width, height, pixel_bytes, file_bytes),
                 "the file is cut off, or its width or height is wrong: save the image again");
   }
-  // OpenEXR's library allows no coordinates beyond these.
-  constexpr std::int32_t kFarthest = std::int32_t(1) << 30;
-  if (data.left <= -kFarthest || data.top <= -kFarthest || data.right >= kFarthest ||
-      data.bottom >= kFarthest) {
-    return broken_header();
-  }
   return {};
 }
 
@@ -259,6 +263,7 @@ Result<ExrHeader> read_exr_header(Bytes bytes, const DecodeLimits& limits) {
   if (const auto sound = check_window(*data, header.channels, bytes.size(), limits); !sound) {
     return error(sound);
   }
+  if (!is_possible(*data) || !is_possible(*display)) return broken_header();
 
   header.has_tiles = (version & kTilesFlag) != 0;
   header.chunk_width = header.width();

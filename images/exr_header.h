@@ -27,7 +27,7 @@ enum class ExrCompression : std::uint8_t {
 struct ExrChannel {
   std::string_view name;  // in the file's bytes
   ExrType type = ExrType::kHalf;
-  bool is_perceptual = false;  // the file calls it pLinear; it matters for B44 alone
+  bool is_perceptual = false;  // the file calls it pLinear; it matters for B44's halves alone
 
   std::size_t bytes() const { return type == ExrType::kHalf ? 2 : 4; }
 };

@@ -172,6 +172,12 @@ TEST_CASE("what is not read is refused by its name") {
       {{.data = {1, 0, 0, 0}}, "the image has 0 x 1 pixels"},
       {{.data = {0x7fffffff, 0, 0x7fffffff, 0}},
        "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {1, 0, 0, 0}}, "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {0, 2, 0, 1}}, "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {0, 0, 0x7fffffff, 0}},
+       "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {0x80000000, 0, 0, 0}},
+       "not a valid OpenEXR image: its header is cut off or broken"},
       {{.rows = {{0}}},
        "not a valid OpenEXR image: the samples from pixel (0, 0) on are cut off or broken"},
   };
