@@ -35,10 +35,6 @@ struct ExrChannel {
 // The bytes of one sample of each channel.
 std::size_t exr_pixel_bytes(std::span<const ExrChannel> channels);
 
-// The samples of all channels together may have this number of bytes for each of
-// DecodeLimits::max_pixels: that of four floats, the widest picture.
-inline constexpr std::uint64_t kExrLimitBytes = 4 * sizeof(float);
-
 // A rectangle of pixels with its first and its last column and row.
 struct ExrWindow {
   std::int32_t left = 0, top = 0, right = 0, bottom = 0;
@@ -62,12 +58,10 @@ struct ExrHeader {
   std::size_t pixels() const { return std::size_t(width()) * std::size_t(height()); }
 };
 
-// Returns the number of `size` bytes at an offset, least significant byte first.
-std::uint64_t exr_number(std::span<const std::byte> bytes, std::size_t offset, std::size_t size);
-
 // Reads the header of a file of one part, of scan lines or of tiles, whose channels all have the
-// full resolution. Checks the size of the data window as decode_image does, and the bytes of all
-// samples. Other files are refused by name.
+// full resolution. Checks the size of the data window as decode_image does. The samples of all
+// channels may have kWidestPixelBytes for each pixel that the limits allow. Other files are refused
+// by name.
 Result<ExrHeader> read_exr_header(std::span<const std::byte> bytes, const DecodeLimits& limits);
 
 }  // namespace glassbox

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <glassbox/base/counted.h>
+#include <glassbox/images/byte_order.h>
 #include <glassbox/images/exr_header.h>
 #include <glassbox/images/exr_unpack.h>
 
@@ -90,7 +91,7 @@ struct ExrSamples {
 void show_samples(Bytes stored, ExrType type, float* to, std::size_t stride, std::size_t count) {
   const std::size_t size = type == ExrType::kHalf ? 2 : 4;
   for (std::size_t i = 0; i < count; ++i, to += stride) {
-    const auto sample = std::uint32_t(exr_number(stored, size * i, size));
+    const auto sample = std::uint32_t(little_endian_at(stored, size * i, size));
     const std::uint32_t bits = size == 2 ? float_bits_of_half(sample) : sample;
     // The bits are copied, so that no NaN changes.
     std::memcpy(to, &bits, sizeof bits);
@@ -142,7 +143,7 @@ Result<Bytes> packed_chunk(Bytes bytes, const ExrHeader& header, std::size_t num
   if (bytes.size() < kOffsetBytes || entry > bytes.size() - kOffsetBytes) {
     return broken_chunk(place);
   }
-  const std::uint64_t offset = exr_number(bytes, entry, kOffsetBytes);
+  const std::uint64_t offset = little_endian_at(bytes, entry, kOffsetBytes);
   const std::size_t place_bytes = header.has_tiles ? 16 : 4, head_bytes = place_bytes + 4;
   if (offset < header.end || offset > bytes.size() || bytes.size() - offset < head_bytes) {
     return broken_chunk(place);
@@ -150,11 +151,11 @@ Result<Bytes> packed_chunk(Bytes bytes, const ExrHeader& header, std::size_t num
   const Bytes chunk = bytes.subspan(std::size_t(offset));
   const bool is_there =
       header.has_tiles
-          ? exr_number(chunk, 0, 4) == place.left / std::size_t(header.chunk_width) &&
-                exr_number(chunk, 4, 4) == place.top / std::size_t(header.chunk_height) &&
-                exr_number(chunk, 8, 8) == 0
-          : exr_number(chunk, 0, 4) == std::uint32_t(header.data.top + int(place.top));
-  const std::uint64_t packed = exr_number(chunk, place_bytes, 4);
+          ? little_endian_at(chunk, 0, 4) == place.left / std::size_t(header.chunk_width) &&
+                little_endian_at(chunk, 4, 4) == place.top / std::size_t(header.chunk_height) &&
+                little_endian_at(chunk, 8, 8) == 0
+          : little_endian_at(chunk, 0, 4) == std::uint32_t(header.data.top + int(place.top));
+  const std::uint64_t packed = little_endian_at(chunk, place_bytes, 4);
   if (!is_there || packed > chunk.size() - head_bytes) return broken_chunk(place);
   return chunk.subspan(head_bytes, std::size_t(packed));
 }

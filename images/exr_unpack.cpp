@@ -1,15 +1,12 @@
 #include <glassbox/images/exr_unpack.h>
 
-#include <libdeflate.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <memory>
-#include <new>
 #include <utility>
 
 #include <glassbox/images/exr_piz.h>
+#include <glassbox/images/inflate.h>
 
 namespace glassbox {
 namespace {
@@ -17,19 +14,10 @@ namespace {
 using Bytes = std::span<const std::byte>;
 using ExrBytes = std::vector<std::byte>;
 
-struct FreeDecompressor {
-  void operator()(libdeflate_decompressor* one) const { libdeflate_free_decompressor(one); }
-};
-
 // Decompresses zlib's format into exactly `size` bytes.
 std::optional<ExrBytes> inflate_exr(Bytes packed, std::size_t size) {
-  const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
-      libdeflate_alloc_decompressor());
-  if (!decompressor) throw std::bad_alloc();
   ExrBytes bytes(size);
-  const auto result = libdeflate_zlib_decompress(decompressor.get(), packed.data(), packed.size(),
-                                                 bytes.data(), size, nullptr);
-  if (result != LIBDEFLATE_SUCCESS) return std::nullopt;
+  if (!inflate_exactly(packed, bytes)) return std::nullopt;
   return bytes;
 }
 
