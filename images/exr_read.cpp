@@ -81,11 +81,14 @@ std::uint32_t float_bits_of_half(std::uint32_t half) {
   return sign | (113 - shifts) << 23 | (fraction & 0x3ffu) << 13;
 }
 
-// The samples of the picture, and those of each further channel in turn, row by row.
+// The samples of the picture, and those of each further channel in turn, row by row. The latter are
+// empty where they are left out.
 struct ExrSamples {
   std::vector<float> shown;
   std::vector<std::byte> further;
 };
+
+enum class Further : std::uint8_t { kKept, kLeftOut };
 
 // Writes the bits of `count` samples to every `stride`-th float.
 void show_samples(Bytes stored, ExrType type, float* to, std::size_t stride, std::size_t count) {
@@ -118,7 +121,7 @@ void distribute(Bytes unpacked, const ExrPicture& picture, const ExrPlace& place
       if (picture.shown_as[i] >= 0) {
         float* to = samples.shown.data() + pixel * stride + std::size_t(picture.shown_as[i]);
         show_samples(row, channel.type, to, stride, place.width);
-      } else {
+      } else if (!samples.further.empty()) {
         std::ranges::copy(row, samples.further.data() + plane + pixel * channel.bytes());
         plane += header.pixels() * channel.bytes();
       }
@@ -160,15 +163,22 @@ Result<Bytes> packed_chunk(Bytes bytes, const ExrHeader& header, std::size_t num
   return chunk.subspan(head_bytes, std::size_t(packed));
 }
 
-Result<ExrSamples> read_samples(Bytes bytes, const ExrPicture& picture) {
+// The bytes that a pixel has in the further channels.
+std::size_t further_pixel_bytes(const ExrPicture& picture) {
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < picture.shown_as.size(); ++i) {
+    if (picture.shown_as[i] < 0) bytes += picture.header.channels[i].bytes();
+  }
+  return bytes;
+}
+
+Result<ExrSamples> read_samples(Bytes bytes, const ExrPicture& picture, Further further) {
   const ExrHeader& header = picture.header;
   ExrSamples samples;
   samples.shown.resize(header.pixels() * std::size_t(picture.channels));
-  std::size_t further = 0;  // bytes of a pixel
-  for (std::size_t i = 0; i < header.channels.size(); ++i) {
-    if (picture.shown_as[i] < 0) further += header.channels[i].bytes();
+  if (further == Further::kKept) {
+    samples.further.resize(header.pixels() * further_pixel_bytes(picture));
   }
-  samples.further.resize(header.pixels() * further);
 
   const auto width = std::size_t(header.width()), height = std::size_t(header.height());
   const auto chunk_width = std::size_t(header.chunk_width);
@@ -187,6 +197,10 @@ Result<ExrSamples> read_samples(Bytes bytes, const ExrPicture& picture) {
     }
   }
   return samples;
+}
+
+StoredImage image_of(const ExrPicture& picture, std::vector<float> samples) {
+  return {picture.header.width(), picture.header.height(), picture.channels, std::move(samples)};
 }
 
 // ---- what is not the picture ----
@@ -224,14 +238,21 @@ void add_window(const ExrHeader& header, StoredFile& file) {
 
 }  // namespace
 
+Result<StoredImage> decode_exr_stored(Bytes bytes, const DecodeLimits& limits) {
+  const auto picture = find_picture(read_exr_header(bytes, limits));
+  if (!picture) return tl::unexpected<Error>(picture.error());
+  return read_samples(bytes, *picture, Further::kLeftOut).map([&](ExrSamples&& samples) {
+    return image_of(*picture, std::move(samples.shown));
+  });
+}
+
 Result<StoredFile> decode_exr_file(Bytes bytes, const DecodeLimits& limits) {
   const auto picture = find_picture(read_exr_header(bytes, limits));
   if (!picture) return tl::unexpected<Error>(picture.error());
-  auto samples = read_samples(bytes, *picture);
+  auto samples = read_samples(bytes, *picture, Further::kKept);
   if (!samples) return tl::unexpected<Error>(samples.error());
   StoredFile file;
-  file.image = {picture->header.width(), picture->header.height(), picture->channels,
-                std::move(samples->shown)};
+  file.image = image_of(*picture, std::move(samples->shown));
   add_further_channels(*picture, std::move(samples->further), file);
   add_window(picture->header, file);
   return file;

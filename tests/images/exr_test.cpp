@@ -20,8 +20,13 @@ using test::build_exr;
 using test::Bytes;
 using test::ExrParts;
 
-Result<StoredFile> read(const Bytes& file) {
-  return decode_stored_file(std::as_bytes(std::span(file)));
+// Reads the file. Its picture is the one that is read without the further channels.
+Result<StoredFile> read(const Bytes& bytes) {
+  const auto file = decode_stored_file(std::as_bytes(std::span(bytes)));
+  const auto image = decode_stored(std::as_bytes(std::span(bytes)));
+  REQUIRE(file.has_value() == image.has_value());
+  if (file) REQUIRE(test::same_bits(file->image, *image));
+  return file;
 }
 
 // The value of a half by its definition (IEEE 754, binary16).
