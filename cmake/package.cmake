@@ -35,9 +35,9 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 # files include, and the sandbox.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "g++, libc6-dev, libglm-dev, libexpected-dev, bubblewrap")
-# find_package(glassbox) and the projects of `lab start` need these packages (the first words of
-# each line of cmake/glassbox-config.cmake.in), and so do charts. apt also installs them, except
-# with --no-install-recommends.
+# find_package(glassbox) and the projects of `lab start` need these packages, too (what
+# cmake/glassbox-config.cmake.in looks for), and charts need gnuplot. apt installs them as well,
+# except with --no-install-recommends.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "cmake, ninja-build, pkg-config, libfmt-dev, nlohmann-json3-dev, libpng-dev, libdeflate-dev, libtbb-dev, \
 zlib1g-dev, libtinygltf-dev, libstb-dev, libhwy-dev, gnuplot-nox | gnuplot")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gdb, man-db, bash-completion")

@@ -3,6 +3,7 @@
 #include <limits>
 #include <string>
 
+#include <glassbox/images/byte_order.h>
 #include <glassbox/images/format.h>
 #include <glassbox/images/out_of_memory.h>
 #include <glassbox/images/png_read.h>
@@ -46,12 +47,7 @@ Result<Image<Rgba8>> decode_any(std::span<const std::byte> bytes, const DecodeLi
 std::optional<ImageSize> png_size(std::span<const std::byte> bytes) {
   constexpr std::size_t kWidth = 16, kHeight = 20, kEnd = 24;
   if (bytes.size() < kEnd) return std::nullopt;
-  const auto number = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::uint32_t(bytes[at + i]);
-    return value;
-  };
-  return ImageSize{number(kWidth), number(kHeight)};
+  return ImageSize{big_endian_at(bytes, kWidth), big_endian_at(bytes, kHeight)};
 }
 
 }  // namespace

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include <glassbox/base/counted.h>
+#include <glassbox/images/byte_order.h>
 #include <glassbox/images/image_size.h>
+#include <glassbox/images/inflate.h>
 
 // The format is that of "The OpenEXR File Layout" (openexr.com).
 namespace glassbox {
@@ -50,7 +53,7 @@ std::optional<ExrAttribute> take_attribute(Bytes& rest) {
   const auto name = take_text(rest);
   const auto type = name ? take_text(rest) : std::nullopt;
   if (!type || rest.size() < kLengthBytes) return std::nullopt;
-  const std::uint64_t length = exr_number(rest, 0, kLengthBytes);
+  const std::uint64_t length = little_endian_at(rest, 0, kLengthBytes);
   rest = rest.subspan(kLengthBytes);
   if (rest.size() < length) return std::nullopt;
   const Bytes value = rest.first(length);
@@ -87,7 +90,9 @@ std::optional<ExrValues> find_values(Bytes bytes) {
 
 std::optional<ExrWindow> window_of(Bytes value) {
   if (value.size() != 16) return std::nullopt;
-  const auto number = [&](std::size_t i) { return std::int32_t(exr_number(value, 4 * i, 4)); };
+  const auto number = [&](std::size_t i) {
+    return std::int32_t(little_endian_at(value, 4 * i, 4));
+  };
   return ExrWindow{number(0), number(1), number(2), number(3)};
 }
 
@@ -99,9 +104,9 @@ Result<std::vector<ExrChannel>> channels_of(Bytes rest) {
   while (!rest.empty() && rest[0] != std::byte{0}) {
     const auto name = take_text(rest);
     if (!name || rest.size() < kBytesBehindName) return broken_header();
-    const std::uint64_t type = exr_number(rest, 0, 4);
+    const std::uint64_t type = little_endian_at(rest, 0, 4);
     if (type > std::uint64_t(ExrType::kFloat)) return broken_header();
-    if (exr_number(rest, 8, 4) != 1 || exr_number(rest, 12, 4) != 1) {
+    if (little_endian_at(rest, 8, 4) != 1 || little_endian_at(rest, 12, 4) != 1) {
       return refuse_exr("with channels of a lower resolution", "save the image as RGB");
     }
     channels.push_back({*name, ExrType(type), rest[4] != std::byte{0}});
@@ -125,7 +130,10 @@ Result<ExrCompression> compression_of(Bytes value, const std::vector<ExrChannel>
   }
   const auto compression = ExrCompression(number);
   const bool is_b44 = compression == ExrCompression::kB44 || compression == ExrCompression::kB44a;
-  if (is_b44 && std::ranges::any_of(channels, &ExrChannel::is_perceptual)) {
+  const auto is_logarithm = [](const ExrChannel& channel) {
+    return channel.type == ExrType::kHalf && channel.is_perceptual;
+  };
+  if (is_b44 && std::ranges::any_of(channels, is_logarithm)) {
     return refuse_exr("with B44 compression of logarithms", kToZip);
   }
   return compression;
@@ -148,7 +156,7 @@ int rows_of_chunk(ExrCompression compression) {
 // Sets the size of a tile: its width, its height, and a byte whose low half is the kind of levels.
 Result<void> set_tile_size(Bytes value, ExrHeader& header) {
   if (value.size() != 9) return broken_header();
-  const std::uint64_t width = exr_number(value, 0, 4), height = exr_number(value, 4, 4);
+  const std::uint64_t width = little_endian_at(value, 0, 4), height = little_endian_at(value, 4, 4);
   if (width == 0 || height == 0) return broken_header();
   if ((value[8] & std::byte{15}) != std::byte{0}) {
     return refuse_exr("with several levels of detail",
@@ -173,12 +181,36 @@ Result<void> check_version(std::uint64_t version) {
   return {};
 }
 
+// Whether a window has pixels, and no coordinate that OpenEXR's library refuses as too far away.
+bool is_possible(const ExrWindow& window) {
+  constexpr std::int32_t kFarthest = std::int32_t(1) << 30;
+  return window.width() > 0 && window.height() > 0 && window.left > -kFarthest &&
+         window.top > -kFarthest && window.right < kFarthest && window.bottom < kFarthest;
+}
+
+// Checks the bytes of all samples: a file of many channels takes much memory for few pixels.
+Result<void> check_sample_bytes(std::uint64_t width, std::uint64_t height,
+                                const std::vector<ExrChannel>& channels,
+                                const DecodeLimits& limits) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t most_bytes =
+      limits.max_pixels > kMost / kWidestPixelBytes ? kMost : limits.max_pixels * kWidestPixelBytes;
+  const std::size_t pixel_bytes = exr_pixel_bytes(channels);
+  if (width * height <= most_bytes / pixel_bytes) return {};
+  return fail(
+      "",
+      fmt::format("the image has {} x {} pixels of {} bytes in {}, but all samples may have "
+                  "at most {} bytes",
+                  width, height, pixel_bytes, counted(channels.size(), "channel"), most_bytes),
+      "save fewer channels in a file, or scale the image down");
+}
+
 // Checks a size before it is an int. Returns an error if so many pixels cannot fit into the file.
-Result<void> check_window(const ExrWindow& data, std::size_t pixel_bytes, std::size_t file_bytes,
-                          const DecodeLimits& limits) {
-  // One byte of deflate encodes at most 1032 bytes (zlib's "Technical Details"), and PXR24 leaves
-  // out every fourth byte of a float. The other compressions that are read encode less.
-  constexpr std::uint64_t kMostSampleBytes = std::uint64_t(1032) * 4 / 3;
+Result<void> check_window(const ExrWindow& data, const std::vector<ExrChannel>& channels,
+                          std::size_t file_bytes, const DecodeLimits& limits) {
+  // Behind deflate's ratio, PXR24 leaves out every fourth byte of a float. The other compressions
+  // that are read encode less.
+  constexpr std::uint64_t kMostSampleBytes = kDeflateMaxRatio * 4 / 3;
   const auto side = [](std::int64_t length) {
     return std::uint64_t(std::max<std::int64_t>(length, 0));
   };
@@ -186,39 +218,31 @@ Result<void> check_window(const ExrWindow& data, std::size_t pixel_bytes, std::s
   if (auto sound = check_image_size(width, height, file_bytes, kMostSampleBytes, limits); !sound) {
     return sound;
   }
+  if (auto sound = check_sample_bytes(width, height, channels, limits); !sound) {
+    return sound;
+  }
+  const std::size_t pixel_bytes = exr_pixel_bytes(channels);
   if (width * height / kMostSampleBytes > file_bytes / pixel_bytes) {
     return fail("",
                 fmt::format("an image of {} x {} pixels of {} bytes cannot fit into {} bytes",
                             width, height, pixel_bytes, file_bytes),
                 "the file is cut off, or its width or height is wrong: save the image again");
   }
-  // OpenEXR's library allows no coordinates beyond these.
-  constexpr std::int32_t kFarthest = std::int32_t(1) << 30;
-  if (data.left <= -kFarthest || data.top <= -kFarthest || data.right >= kFarthest ||
-      data.bottom >= kFarthest) {
-    return broken_header();
-  }
   return {};
 }
 
 }  // namespace
 
-std::size_t ExrHeader::pixel_bytes() const {
+std::size_t exr_pixel_bytes(std::span<const ExrChannel> channels) {
   std::size_t bytes = 0;
   for (const ExrChannel& channel : channels) bytes += channel.bytes();
   return bytes;
 }
 
-std::uint64_t exr_number(Bytes bytes, std::size_t offset, std::size_t size) {
-  std::uint64_t value = 0;
-  for (std::size_t i = size; i-- > 0;) value = value << 8 | std::uint64_t(bytes[offset + i]);
-  return value;
-}
-
 Result<ExrHeader> read_exr_header(Bytes bytes, const DecodeLimits& limits) {
   const auto error = [](const auto& result) { return tl::unexpected<Error>(result.error()); };
   if (bytes.size() < kMagicBytes + kVersionBytes) return broken_header();
-  const std::uint64_t version = exr_number(bytes, kMagicBytes, kVersionBytes);
+  const std::uint64_t version = little_endian_at(bytes, kMagicBytes, kVersionBytes);
   if (const auto known = check_version(version); !known) return error(known);
   const auto values = find_values(bytes);
   if (!values) return broken_header();
@@ -234,9 +258,10 @@ Result<ExrHeader> read_exr_header(Bytes bytes, const DecodeLimits& limits) {
   const auto compression = compression_of(values->compression, header.channels);
   if (!compression) return error(compression);
   header.compression = *compression;
-  if (const auto sound = check_window(*data, header.pixel_bytes(), bytes.size(), limits); !sound) {
+  if (const auto sound = check_window(*data, header.channels, bytes.size(), limits); !sound) {
     return error(sound);
   }
+  if (!is_possible(*data) || !is_possible(*display)) return broken_header();
 
   header.has_tiles = (version & kTilesFlag) != 0;
   header.chunk_width = header.width();

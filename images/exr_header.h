@@ -27,10 +27,13 @@ enum class ExrCompression : std::uint8_t {
 struct ExrChannel {
   std::string_view name;  // in the file's bytes
   ExrType type = ExrType::kHalf;
-  bool is_perceptual = false;  // the file calls it pLinear; it matters for B44 alone
+  bool is_perceptual = false;  // the file calls it pLinear; it matters for B44's halves alone
 
   std::size_t bytes() const { return type == ExrType::kHalf ? 2 : 4; }
 };
+
+// The bytes of one sample of each channel.
+std::size_t exr_pixel_bytes(std::span<const ExrChannel> channels);
 
 // A rectangle of pixels with its first and its last column and row.
 struct ExrWindow {
@@ -53,14 +56,11 @@ struct ExrHeader {
   int width() const { return int(data.width()); }    // px
   int height() const { return int(data.height()); }  // px
   std::size_t pixels() const { return std::size_t(width()) * std::size_t(height()); }
-  std::size_t pixel_bytes() const;
 };
 
-// Returns the number of `size` bytes at an offset, least significant byte first.
-std::uint64_t exr_number(std::span<const std::byte> bytes, std::size_t offset, std::size_t size);
-
 // Reads the header of a file of one part, of scan lines or of tiles, whose channels all have the
-// full resolution. Checks the size of the data window as decode_image does. Other files are refused
+// full resolution. Checks the size of the data window as decode_image does. The samples of all
+// channels may have kWidestPixelBytes for each pixel that the limits allow. Other files are refused
 // by name.
 Result<ExrHeader> read_exr_header(std::span<const std::byte> bytes, const DecodeLimits& limits);
 

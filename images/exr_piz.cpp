@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include <glassbox/images/byte_order.h>
+
 // PIZ numbers the 16-bit values that occur in a chunk, transforms these numbers with a wavelet, and
 // packs the result with a Huffman code. It treats a float as two values of 16 bits. The format is
 // that of OpenEXR's sources: ImfPizCompressor.cpp, ImfWav.cpp and ImfHuf.cpp.
@@ -22,7 +24,7 @@ using PizNumbers = std::vector<std::uint16_t>;
 std::optional<PizNumbers> take_values(Bytes& packed) {
   constexpr std::size_t kSetBytes = 65536 / 8;
   if (packed.size() < 4) return std::nullopt;
-  const std::size_t first = exr_number(packed, 0, 2), last = exr_number(packed, 2, 2);
+  const std::size_t first = little_endian_at(packed, 0, 2), last = little_endian_at(packed, 2, 2);
   packed = packed.subspan(4);
   PizNumbers values{0};
   if (last >= kSetBytes) return std::nullopt;
@@ -174,9 +176,9 @@ private:
 std::optional<PizNumbers> decode_huffman(Bytes packed, std::size_t count) {
   constexpr std::size_t kHeadBytes = 20;
   if (packed.size() < kHeadBytes) return std::nullopt;
-  const auto first = std::uint32_t(exr_number(packed, 0, 4));
-  const auto last = std::uint32_t(exr_number(packed, 4, 4));
-  const std::uint64_t bit_count = exr_number(packed, 12, 4);
+  const auto first = std::uint32_t(little_endian_at(packed, 0, 4));
+  const auto last = std::uint32_t(little_endian_at(packed, 4, 4));
+  const std::uint64_t bit_count = little_endian_at(packed, 12, 4);
   if (first >= kSymbols || last >= kSymbols) return std::nullopt;
   packed = packed.subspan(kHeadBytes);
   HuffmanBits lengths(packed);
@@ -298,7 +300,7 @@ std::optional<std::vector<std::byte>> undo_piz(Bytes packed, const ExrChunk& chu
   constexpr std::size_t kLengthBytes = 4;
   const auto values = take_values(packed);
   if (!values || packed.size() < kLengthBytes) return std::nullopt;
-  const std::uint64_t length = exr_number(packed, 0, kLengthBytes);
+  const std::uint64_t length = little_endian_at(packed, 0, kLengthBytes);
   packed = packed.subspan(kLengthBytes);
   if (packed.size() < length) return std::nullopt;
   auto numbers = decode_huffman(packed.first(length), chunk.bytes() / 2);

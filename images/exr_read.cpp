@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <glassbox/base/counted.h>
+#include <glassbox/images/byte_order.h>
 #include <glassbox/images/exr_header.h>
 #include <glassbox/images/exr_unpack.h>
 
@@ -80,17 +82,20 @@ std::uint32_t float_bits_of_half(std::uint32_t half) {
   return sign | (113 - shifts) << 23 | (fraction & 0x3ffu) << 13;
 }
 
-// The samples of the picture, and those of each further channel in turn, row by row.
+// The samples of the picture, and those of each further channel in turn, row by row. The latter are
+// empty where they are left out.
 struct ExrSamples {
   std::vector<float> shown;
   std::vector<std::byte> further;
 };
 
+enum class Further : std::uint8_t { kKept, kLeftOut };
+
 // Writes the bits of `count` samples to every `stride`-th float.
 void show_samples(Bytes stored, ExrType type, float* to, std::size_t stride, std::size_t count) {
   const std::size_t size = type == ExrType::kHalf ? 2 : 4;
   for (std::size_t i = 0; i < count; ++i, to += stride) {
-    const auto sample = std::uint32_t(exr_number(stored, size * i, size));
+    const auto sample = std::uint32_t(little_endian_at(stored, size * i, size));
     const std::uint32_t bits = size == 2 ? float_bits_of_half(sample) : sample;
     // The bits are copied, so that no NaN changes.
     std::memcpy(to, &bits, sizeof bits);
@@ -117,7 +122,7 @@ void distribute(Bytes unpacked, const ExrPicture& picture, const ExrPlace& place
       if (picture.shown_as[i] >= 0) {
         float* to = samples.shown.data() + pixel * stride + std::size_t(picture.shown_as[i]);
         show_samples(row, channel.type, to, stride, place.width);
-      } else {
+      } else if (!samples.further.empty()) {
         std::ranges::copy(row, samples.further.data() + plane + pixel * channel.bytes());
         plane += header.pixels() * channel.bytes();
       }
@@ -142,7 +147,7 @@ Result<Bytes> packed_chunk(Bytes bytes, const ExrHeader& header, std::size_t num
   if (bytes.size() < kOffsetBytes || entry > bytes.size() - kOffsetBytes) {
     return broken_chunk(place);
   }
-  const std::uint64_t offset = exr_number(bytes, entry, kOffsetBytes);
+  const std::uint64_t offset = little_endian_at(bytes, entry, kOffsetBytes);
   const std::size_t place_bytes = header.has_tiles ? 16 : 4, head_bytes = place_bytes + 4;
   if (offset < header.end || offset > bytes.size() || bytes.size() - offset < head_bytes) {
     return broken_chunk(place);
@@ -150,24 +155,31 @@ Result<Bytes> packed_chunk(Bytes bytes, const ExrHeader& header, std::size_t num
   const Bytes chunk = bytes.subspan(std::size_t(offset));
   const bool is_there =
       header.has_tiles
-          ? exr_number(chunk, 0, 4) == place.left / std::size_t(header.chunk_width) &&
-                exr_number(chunk, 4, 4) == place.top / std::size_t(header.chunk_height) &&
-                exr_number(chunk, 8, 8) == 0
-          : exr_number(chunk, 0, 4) == std::uint32_t(header.data.top + int(place.top));
-  const std::uint64_t packed = exr_number(chunk, place_bytes, 4);
+          ? little_endian_at(chunk, 0, 4) == place.left / std::size_t(header.chunk_width) &&
+                little_endian_at(chunk, 4, 4) == place.top / std::size_t(header.chunk_height) &&
+                little_endian_at(chunk, 8, 8) == 0
+          : little_endian_at(chunk, 0, 4) == std::uint32_t(header.data.top + int(place.top));
+  const std::uint64_t packed = little_endian_at(chunk, place_bytes, 4);
   if (!is_there || packed > chunk.size() - head_bytes) return broken_chunk(place);
   return chunk.subspan(head_bytes, std::size_t(packed));
 }
 
-Result<ExrSamples> read_samples(Bytes bytes, const ExrPicture& picture) {
+// The bytes that a pixel has in the further channels.
+std::size_t further_pixel_bytes(const ExrPicture& picture) {
+  std::size_t bytes = 0;
+  for (std::size_t i = 0; i < picture.shown_as.size(); ++i) {
+    if (picture.shown_as[i] < 0) bytes += picture.header.channels[i].bytes();
+  }
+  return bytes;
+}
+
+Result<ExrSamples> read_samples(Bytes bytes, const ExrPicture& picture, Further further) {
   const ExrHeader& header = picture.header;
   ExrSamples samples;
   samples.shown.resize(header.pixels() * std::size_t(picture.channels));
-  std::size_t further = 0;  // bytes of a pixel
-  for (std::size_t i = 0; i < header.channels.size(); ++i) {
-    if (picture.shown_as[i] < 0) further += header.channels[i].bytes();
+  if (further == Further::kKept) {
+    samples.further.resize(header.pixels() * further_pixel_bytes(picture));
   }
-  samples.further.resize(header.pixels() * further);
 
   const auto width = std::size_t(header.width()), height = std::size_t(header.height());
   const auto chunk_width = std::size_t(header.chunk_width);
@@ -186,6 +198,10 @@ Result<ExrSamples> read_samples(Bytes bytes, const ExrPicture& picture) {
     }
   }
   return samples;
+}
+
+StoredImage image_of(const ExrPicture& picture, std::vector<float> samples) {
+  return {picture.header.width(), picture.header.height(), picture.channels, std::move(samples)};
 }
 
 // ---- what is not the picture ----
@@ -223,14 +239,21 @@ void add_window(const ExrHeader& header, StoredFile& file) {
 
 }  // namespace
 
+Result<StoredImage> decode_exr_stored(Bytes bytes, const DecodeLimits& limits) {
+  const auto picture = find_picture(read_exr_header(bytes, limits));
+  if (!picture) return tl::unexpected<Error>(picture.error());
+  return read_samples(bytes, *picture, Further::kLeftOut).map([&](ExrSamples&& samples) {
+    return image_of(*picture, std::move(samples.shown));
+  });
+}
+
 Result<StoredFile> decode_exr_file(Bytes bytes, const DecodeLimits& limits) {
   const auto picture = find_picture(read_exr_header(bytes, limits));
   if (!picture) return tl::unexpected<Error>(picture.error());
-  auto samples = read_samples(bytes, *picture);
+  auto samples = read_samples(bytes, *picture, Further::kKept);
   if (!samples) return tl::unexpected<Error>(samples.error());
   StoredFile file;
-  file.image = {picture->header.width(), picture->header.height(), picture->channels,
-                std::move(samples->shown)};
+  file.image = image_of(*picture, std::move(samples->shown));
   add_further_channels(*picture, std::move(samples->further), file);
   add_window(picture->header, file);
   return file;

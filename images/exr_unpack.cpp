@@ -1,15 +1,11 @@
 #include <glassbox/images/exr_unpack.h>
 
-#include <libdeflate.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <memory>
-#include <new>
-#include <utility>
 
 #include <glassbox/images/exr_piz.h>
+#include <glassbox/images/inflate.h>
 
 namespace glassbox {
 namespace {
@@ -17,19 +13,10 @@ namespace {
 using Bytes = std::span<const std::byte>;
 using ExrBytes = std::vector<std::byte>;
 
-struct FreeDecompressor {
-  void operator()(libdeflate_decompressor* one) const { libdeflate_free_decompressor(one); }
-};
-
 // Decompresses zlib's format into exactly `size` bytes.
 std::optional<ExrBytes> inflate_exr(Bytes packed, std::size_t size) {
-  const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
-      libdeflate_alloc_decompressor());
-  if (!decompressor) throw std::bad_alloc();
   ExrBytes bytes(size);
-  const auto result = libdeflate_zlib_decompress(decompressor.get(), packed.data(), packed.size(),
-                                                 bytes.data(), size, nullptr);
-  if (result != LIBDEFLATE_SUCCESS) return std::nullopt;
+  if (!inflate_exactly(packed, bytes)) return std::nullopt;
   return bytes;
 }
 
@@ -56,14 +43,13 @@ std::optional<ExrBytes> undo_runs(Bytes packed, std::size_t size) {
 
 // RLE and ZIP compress the bytes at even places, then those at odd places, each as its difference
 // from the one before plus 128.
-ExrBytes undo_differences(ExrBytes bytes) {
-  for (std::size_t i = 1; i < bytes.size(); ++i) {
-    bytes[i] = std::byte(std::uint8_t(unsigned(bytes[i - 1]) + unsigned(bytes[i]) - 128u));
-  }
+ExrBytes undo_differences(const ExrBytes& bytes) {
   ExrBytes ordered(bytes.size());
   const std::size_t even = (bytes.size() + 1) / 2;
+  unsigned sum = 128;  // the first byte is stored as it is
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    ordered[i] = bytes[i / 2 + (i % 2 == 0 ? 0 : even)];
+    sum += unsigned(bytes[i]) - 128u;
+    ordered[i < even ? 2 * i : 2 * (i - even) + 1] = std::byte(std::uint8_t(sum));
   }
   return ordered;
 }
@@ -179,9 +165,7 @@ std::optional<ExrBytes> undo_b44(Bytes packed, const ExrChunk& chunk) {
 }  // namespace
 
 std::size_t ExrChunk::bytes() const {
-  std::size_t pixel = 0;
-  for (const ExrChannel& channel : channels) pixel += channel.bytes();
-  return width * height * pixel;
+  return width * height * exr_pixel_bytes(channels);
 }
 
 std::optional<ExrBytes> unpack_exr(Bytes packed, ExrCompression compression,
@@ -194,15 +178,15 @@ std::optional<ExrBytes> unpack_exr(Bytes packed, ExrCompression compression,
     case ExrCompression::kNone:
       return std::nullopt;
     case ExrCompression::kRle: {
-      auto bytes = undo_runs(packed, size);
+      const auto bytes = undo_runs(packed, size);
       if (!bytes) return std::nullopt;
-      return undo_differences(std::move(*bytes));
+      return undo_differences(*bytes);
     }
     case ExrCompression::kZips:
     case ExrCompression::kZip: {
-      auto bytes = inflate_exr(packed, size);
+      const auto bytes = inflate_exr(packed, size);
       if (!bytes) return std::nullopt;
-      return undo_differences(std::move(*bytes));
+      return undo_differences(*bytes);
     }
     case ExrCompression::kPiz:
       return undo_piz(packed, chunk);

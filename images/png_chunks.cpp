@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <glassbox/images/byte_order.h>
 #include <glassbox/images/png_read.h>
 
 namespace glassbox {
@@ -21,12 +22,6 @@ tl::unexpected<Error> not_whole(const std::string& cause) {
 }
 
 }  // namespace
-
-std::uint32_t big_endian_at(Bytes bytes, std::size_t offset) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::uint32_t(bytes[offset + i]);
-  return value;
-}
 
 Bytes png_chunks(Bytes bytes) {
   return is_png(bytes) ? bytes.subspan(kSignatureBytes) : Bytes();

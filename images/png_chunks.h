@@ -10,18 +10,12 @@
 
 namespace glassbox {
 
-// The largest ratio of deflate: it spends at least one bit on 129 bytes, because a match of 258
-// bytes takes at least two bits. zlib's documentation gives this ratio.
-inline constexpr std::uint64_t kDeflateMaxRatio = 1032;
-
 struct PngChunk {
   std::string_view type;                     // "IDAT"
   std::span<const std::byte> type_and_data;  // those of the check sum
   std::string_view data;
   std::uint32_t crc = 0;  // as the file has it
 };
-
-std::uint32_t big_endian_at(std::span<const std::byte> bytes, std::size_t offset);
 
 // Returns the bytes behind the signature of a PNG; none for another file.
 std::span<const std::byte> png_chunks(std::span<const std::byte> bytes);

@@ -6,13 +6,13 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <memory>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <glassbox/images/byte_order.h>
 #include <glassbox/images/image_size.h>
+#include <glassbox/images/inflate.h>
 #include <glassbox/images/png_chunks.h>
 #include <glassbox/images/png_filters.h>
 
@@ -100,21 +100,28 @@ std::optional<PlainParts> plain_parts(Bytes file, const DecodeLimits& limits) {
   }
 }
 
+// Whether the window that zlib's header states is as long as any distance in the data can be.
+// libdeflate decompresses data with longer distances, too, and libpng refuses most such data. The
+// first four bits of the header are the logarithm of the window's length minus 8 (RFC 1950, 2.2).
+bool has_wide_window(Bytes data, std::size_t inflated_bytes) {
+  constexpr std::size_t kLongestDistance = 32768;  // RFC 1951, 3.2.5
+  if (data.empty()) return false;
+  const std::size_t window = std::size_t(256) << (std::to_integer<unsigned>(data[0]) >> 4);
+  return window >= std::min(inflated_bytes, kLongestDistance);
+}
+
 // Decompresses the data to exactly `target`. Returns whether nothing of them was left over.
 bool decompress(Bytes data, std::span<std::uint8_t> target) {
-  const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> decompressor(
-      libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
-  if (!decompressor) return false;
-  std::size_t read = 0;
-  // With a null pointer for the written size, libdeflate accepts nothing but a full target.
-  const auto result = libdeflate_zlib_decompress_ex(decompressor.get(), data.data(), data.size(),
-                                                    target.data(), target.size(), &read, nullptr);
-  return result == LIBDEFLATE_SUCCESS && read == data.size();
+  return has_wide_window(data, target.size()) &&
+         inflate_exactly(data, std::as_writable_bytes(target)) == data.size();
 }
 
 bool decompress(const std::vector<Bytes>& data, std::span<std::uint8_t> target) {
   if (data.size() == 1) return decompress(data.front(), target);
+  std::size_t size = 0;
+  for (const Bytes& part : data) size += part.size();
   std::vector<std::byte> joined;
+  joined.reserve(size);
   for (const Bytes& part : data) joined.insert(joined.end(), part.begin(), part.end());
   return decompress(Bytes(joined), target);
 }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <glassbox/images/image_size.h>
-#include <glassbox/images/png_chunks.h>
+#include <glassbox/images/inflate.h>
 #include <glassbox/images/png_plain.h>
 
 namespace glassbox {

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <memory>
 
+#include <glassbox/images/image_size.h>
 #include <glassbox/images/out_of_memory.h>
 #include <glassbox/images/stored_file.h>
 
@@ -31,12 +32,14 @@ Result<Picture> read_as(const std::string& path, const DecodeLimits& limits, aut
   return picture;
 }
 
-// The length of the longest file that an image within the limits can have. The widest pixel is
-// four floats; a sixteenth more and one MiB leave room for headers, filter bytes, text, and the
-// bytes by which deflate makes noise longer.
+// The length of the longest file that is read. The widest pixel is four floats, and the channels of
+// an OpenEXR file together have no more bytes; a sixteenth more and one MiB leave room for headers,
+// filter bytes, some text, and the bytes by which deflate makes noise longer. A picture within the
+// limits can have a longer file, which is refused: with much text or metadata, or as a P3 file of
+// 16 bits, which writes a pixel in up to 18 bytes.
 std::uint64_t longest_file(const DecodeLimits& limits) {
   constexpr std::uint64_t kMaxPixels = std::uint64_t(1) << 32;  // keeps the product small
-  const std::uint64_t samples = std::min(limits.max_pixels, kMaxPixels) * 4 * sizeof(float);
+  const std::uint64_t samples = std::min(limits.max_pixels, kMaxPixels) * kWidestPixelBytes;
   return samples + samples / 16 + (std::uint64_t(1) << 20);
 }
 

@@ -6,16 +6,12 @@
 #include <string>
 #include <string_view>
 
+#include <glassbox/images/byte_order.h>
+
 namespace glassbox {
 namespace {
 
 using Bytes = std::span<const std::byte>;
-
-std::uint64_t number_at(Bytes bytes, std::size_t offset, std::size_t size) {  // little-endian
-  std::uint64_t value = 0;
-  for (std::size_t i = size; i-- > 0;) value = value << 8 | std::uint64_t(bytes[offset + i]);
-  return value;
-}
 
 tl::unexpected<Error> cut_off(const char* format) {
   return fail("", std::string("the ") + format + " file is cut off", "save the image again");
@@ -152,8 +148,8 @@ Result<void> check_jpeg(Bytes bytes) {
 
 Result<void> check_bmp_compression(Bytes bytes) {
   static constexpr const char* kNames[] = {nullptr, "RLE8", "RLE4", nullptr, "JPEG", "PNG"};
-  if (bytes.size() < 34 || number_at(bytes, 14, 4) < 40) return {};
-  const std::uint64_t kind = number_at(bytes, 30, 4);
+  if (bytes.size() < 34 || little_endian_at(bytes, 14, 4) < 40) return {};
+  const std::uint64_t kind = little_endian_at(bytes, 30, 4);
   if (kind >= std::size(kNames) || kNames[kind] == nullptr) return {};
   return fail("", std::string("is a BMP with ") + kNames[kind] + " compression, which is not read",
               "save it without compression, or convert it to PNG");
@@ -162,11 +158,11 @@ Result<void> check_bmp_compression(Bytes bytes) {
 Result<void> check_bmp(Bytes bytes, std::uint64_t width, std::uint64_t height) {
   constexpr std::uint64_t kFileHeaderBytes = 14;
   if (bytes.size() < 30) return cut_off("BMP");
-  const std::uint64_t info_bytes = number_at(bytes, 14, 4);
+  const std::uint64_t info_bytes = little_endian_at(bytes, 14, 4);
   const bool os2 = info_bytes == 12;
-  const std::uint64_t bits = number_at(bytes, os2 ? 24 : 28, 2);
+  const std::uint64_t bits = little_endian_at(bytes, os2 ? 24 : 28, 2);
   const std::uint64_t row_bytes = (width * bits + 31) / 32 * 4;
-  const std::uint64_t pixels_at = number_at(bytes, 10, 4);
+  const std::uint64_t pixels_at = little_endian_at(bytes, 10, 4);
   if (pixels_at + row_bytes * height > bytes.size()) return cut_off("BMP");
   if (bits == 1 || bits == 4 || bits == 8) {
     // The palette's size is computed as stb does it; for an OS/2 palette stb loses the last four
@@ -185,22 +181,22 @@ Result<void> check_bmp(Bytes bytes, std::uint64_t width, std::uint64_t height) {
 Result<void> check_tga(Bytes bytes, std::uint64_t width, std::uint64_t height) {
   constexpr std::uint64_t kHeaderBytes = 18;
   if (bytes.size() < kHeaderBytes) return cut_off("TGA");
-  const bool has_palette = number_at(bytes, 1, 1) != 0;
-  const bool packed = number_at(bytes, 2, 1) >= 9;
-  const std::uint64_t pixel_bytes = (number_at(bytes, 16, 1) + 7) / 8;
+  const bool has_palette = little_endian_at(bytes, 1, 1) != 0;
+  const bool packed = little_endian_at(bytes, 2, 1) >= 9;
+  const std::uint64_t pixel_bytes = (little_endian_at(bytes, 16, 1) + 7) / 8;
   const std::uint64_t palette_bytes =
-      has_palette ? number_at(bytes, 5, 2) * ((number_at(bytes, 7, 1) + 7) / 8) : 0;
+      has_palette ? little_endian_at(bytes, 5, 2) * ((little_endian_at(bytes, 7, 1) + 7) / 8) : 0;
   // stb takes the number of the palette's first entry for a number of bytes to skip, and it reads
   // every row from left to right.
-  const bool shifted = has_palette && number_at(bytes, 3, 2) != 0;
-  const bool other_order = (number_at(bytes, 17, 1) & 0xd0) != 0;
+  const bool shifted = has_palette && little_endian_at(bytes, 3, 2) != 0;
+  const bool other_order = (little_endian_at(bytes, 17, 1) & 0xd0) != 0;
   if (shifted || other_order) {
     return fail("",
                 shifted ? "TGA with a palette that does not start at 0"
                         : "TGA with an unusual order of pixels",
                 "convert it to PNG");
   }
-  const std::uint64_t pixels_at = kHeaderBytes + number_at(bytes, 0, 1) + palette_bytes;
+  const std::uint64_t pixels_at = kHeaderBytes + little_endian_at(bytes, 0, 1) + palette_bytes;
   if (pixels_at > bytes.size()) return cut_off("TGA");
   const Bytes samples = bytes.subspan(pixels_at);
   const std::uint64_t pixels = width * height;

@@ -1,5 +1,3 @@
-#include <utility>
-
 #include <glassbox/images/exr_read.h>
 #include <glassbox/images/format.h>
 #include <glassbox/images/out_of_memory.h>
@@ -51,11 +49,7 @@ Result<StoredImage> decode_any_stored(std::span<const std::byte> bytes,
       bytes, [&] { return decode_png_stored(bytes, limits); },
       [&] { return decode_pnm_stored(bytes, limits); },
       [&] { return decode_pfm_stored(bytes, limits); },
-      [&] {
-        return decode_exr_file(bytes, limits).map([](StoredFile&& file) {
-          return std::move(file.image);
-        });
-      },
+      [&] { return decode_exr_stored(bytes, limits); },
       [&](StbFormat format) { return decode_stored_with_stb(format, bytes, limits); });
 }
 

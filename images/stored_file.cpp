@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <glassbox/base/counted.h>
+#include <glassbox/images/byte_order.h>
 #include <glassbox/images/exr_read.h>
 #include <glassbox/images/format.h>
 #include <glassbox/images/orientation.h>

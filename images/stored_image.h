@@ -37,7 +37,8 @@ struct StoredHeader {
   int channels = 0;           // as in StoredImage
 };
 
-// The limit for comparisons: 2^28 pixels, such as 16384 x 16384.
+// The limit for comparisons: 2^28 pixels, such as 16384 x 16384. All channels of an OpenEXR file
+// may have 16 bytes for each of these pixels, 4 GiB.
 inline constexpr DecodeLimits kCompareLimits{.max_pixels = std::uint64_t(1) << 28};
 
 // Reads PNG, JPEG, BMP, TGA, PBM, PGM, PPM, PAM, PFM, Radiance HDR or OpenEXR, recognised by the

@@ -20,6 +20,15 @@ bool is_ppm_path(const std::string& path) {
   return lower_case_extension(path) == ".ppm";
 }
 
+// As encode_png of a palette, with the same errors.
+Result<std::vector<std::byte>> encode_coloured_ppm(const Image<std::uint8_t>& indices,
+                                                   std::span<const Rgba8> palette) {
+  if (const auto whole = check_palette(indices, palette); !whole) {
+    return tl::unexpected<Error>(whole.error());
+  }
+  return encode_ppm(coloured(indices, palette));
+}
+
 Result<void> write_encoded(const std::string& path, Result<std::vector<std::byte>> bytes) {
   if (bytes) return write_file(path, *bytes);
   bytes.error().file = path;
@@ -49,12 +58,8 @@ Result<void> write_image(const std::string& path, const Image<Rgba8>& image,
 Result<void> write_image(const std::string& path, const Image<std::uint8_t>& indices,
                          std::span<const Rgba8> palette) {
   if (auto known = check_image_path(path); !known) return known;
-  if (auto whole = check_palette(indices, palette); !whole) {
-    whole.error().file = path;
-    return whole;
-  }
-  if (is_ppm_path(path)) return write_file(path, encode_ppm(coloured(indices, palette)));
-  return write_encoded(path, encode_png(indices, palette));
+  return write_encoded(path, is_ppm_path(path) ? encode_coloured_ppm(indices, palette)
+                                               : encode_png(indices, palette));
 }
 
 }  // namespace glassbox

@@ -49,7 +49,10 @@ std::string write_exr(std::vector<Written>& channels, int width, int height,
   Imf::Header header(width, height);
   header.compression() = compression;
   for (const Written& channel : channels) {
-    header.channels().insert(channel.name, Imf::Channel(channel.type));
+    // The reader refuses B44's halves that are perceptual (pLinear); nowhere else does it matter.
+    const bool is_b44 = compression == Imf::B44_COMPRESSION || compression == Imf::B44A_COMPRESSION;
+    const bool is_perceptual = !is_b44 || channel.type != Imf::HALF;
+    header.channels().insert(channel.name, Imf::Channel(channel.type, 1, 1, is_perceptual));
   }
   Imf::StdOSStream stream;
   if (tile > 0) {

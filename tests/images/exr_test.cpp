@@ -20,8 +20,13 @@ using test::build_exr;
 using test::Bytes;
 using test::ExrParts;
 
-Result<StoredFile> read(const Bytes& file) {
-  return decode_stored_file(std::as_bytes(std::span(file)));
+// Reads the file. Its picture is the one that is read without the further channels.
+Result<StoredFile> read(const Bytes& bytes) {
+  const auto file = decode_stored_file(std::as_bytes(std::span(bytes)));
+  const auto image = decode_stored(std::as_bytes(std::span(bytes)));
+  REQUIRE(file.has_value() == image.has_value());
+  if (file) REQUIRE(test::same_bits(file->image, *image));
+  return file;
 }
 
 // The value of a half by its definition (IEEE 754, binary16).
@@ -172,6 +177,12 @@ TEST_CASE("what is not read is refused by its name") {
       {{.data = {1, 0, 0, 0}}, "the image has 0 x 1 pixels"},
       {{.data = {0x7fffffff, 0, 0x7fffffff, 0}},
        "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {1, 0, 0, 0}}, "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {0, 2, 0, 1}}, "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {0, 0, 0x7fffffff, 0}},
+       "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {0x80000000, 0, 0, 0}},
+       "not a valid OpenEXR image: its header is cut off or broken"},
       {{.rows = {{0}}},
        "not a valid OpenEXR image: the samples from pixel (0, 0) on are cut off or broken"},
   };
@@ -196,4 +207,43 @@ TEST_CASE("more samples than so short a file can hold are refused before they ha
   const auto file = read(build_exr(parts));
   REQUIRE_FALSE(file);
   CHECK(file.error().cause.find("1000 x 1000 pixels of 162 bytes cannot fit") != std::string::npos);
+}
+
+TEST_CASE("all samples together have at most sixteen bytes for each pixel that the limits allow") {
+  const std::uint64_t seed = 402;
+  CAPTURE(seed);
+  Random random(seed);
+  int refused = 0;
+  for (int round = 0; round < 1000; ++round) {
+    CAPTURE(round);
+    const auto width = std::uint32_t(random.integer(1, 6));
+    const auto height = std::uint32_t(random.integer(1, 6));
+    const std::vector<std::uint32_t> window{0, 0, width - 1, height - 1};
+    ExrParts parts{.channels = {{"Y"}}, .data = window, .display = window, .rows = {}};
+    std::uint64_t pixel_bytes = 2;
+    for (std::int64_t more = random.integer(0, 19); more > 0; --more) {
+      const auto type = std::uint32_t(random.integer(0, 2));
+      parts.channels.push_back({"c" + std::to_string(more), type});
+      pixel_bytes += type == 1 ? 2 : 4;
+    }
+    for (std::uint32_t y = 0; y < height; ++y) parts.rows.emplace_back(width * pixel_bytes);
+    const Bytes bytes = build_exr(parts);
+    const std::uint64_t pixels = std::uint64_t(width) * height;
+    const auto most = pixels + std::uint64_t(random.integer(0, std::int64_t(3 * pixels)));
+    const auto file =
+        decode_stored_file(std::as_bytes(std::span(bytes)), DecodeLimits{.max_pixels = most});
+    REQUIRE(file.has_value() == (pixels * pixel_bytes <= 16 * most));
+    if (file) continue;
+    ++refused;
+    REQUIRE(file.error().cause == "the image has " + std::to_string(width) + " x " +
+                                      std::to_string(height) + " pixels of " +
+                                      std::to_string(pixel_bytes) + " bytes in " +
+                                      std::to_string(parts.channels.size()) +
+                                      " channels, but all samples may have at "
+                                      "most " +
+                                      std::to_string(16 * most) + " bytes");
+    REQUIRE_FALSE(file.error().remedy.empty());
+  }
+  CHECK(refused > 100);
+  CHECK(refused < 900);
 }

@@ -1,6 +1,7 @@
 // Tests PNG files with a palette: they mean the colours of their indices.
 #include "tests/support/catch.h"
 
+#include <filesystem>
 #include <vector>
 
 #include <glassbox/base/random.h>
@@ -39,6 +40,28 @@ TEST_CASE("a picture of indices is written as the colours that they mean, as PNG
       const auto read = read_image(here.file(name));
       REQUIRE(read);
       CHECK(*read == coloured(indices, palette));
+    }
+    const auto png = read_file(here.file("a.png"));
+    REQUIRE(png);
+    constexpr std::size_t kColourType = 25;  // behind the signature, in IHDR
+    CHECK((*png)[kColourType] == std::byte{3});
+  }
+}
+
+TEST_CASE("a palette of more than 256 colours is an error, and nothing is written") {
+  const test::TemporaryDirectory here;
+  const Image<std::uint8_t> indices(2, 2, 255);
+  for (const std::size_t size : {256u, 257u, 300u}) {
+    for (const char* name : {"a.png", "a.ppm"}) {
+      CAPTURE(name, size);
+      const auto written = write_image(here.file(name), indices, std::vector<Rgba8>(size));
+      CHECK(written.has_value() == (size == 256));
+      CHECK(read_file(here.file(name)).has_value() == (size == 256));
+      if (written) {
+        std::filesystem::remove(here.file(name));
+      } else {
+        CHECK(written.error().file == here.file(name));
+      }
     }
   }
 }

@@ -68,7 +68,8 @@ struct PngParts {
   Bytes extra = {};              // whole chunks, inserted before PLTE
 };
 
-inline Bytes build_png(const PngParts& parts) {
+// Returns a file whose IDAT chunk has `data`.
+inline Bytes build_png_of(const PngParts& parts, const Bytes& data) {
   Bytes png = png_signature();
   Bytes header;
   put32(header, parts.width);
@@ -80,9 +81,13 @@ inline Bytes build_png(const PngParts& parts) {
   png.insert(png.end(), parts.extra.begin(), parts.extra.end());
   if (!parts.palette.empty()) put_chunk(png, "PLTE", parts.palette);
   if (!parts.transparency.empty()) put_chunk(png, "tRNS", parts.transparency);
-  put_chunk(png, "IDAT", stored(parts.rows));
+  put_chunk(png, "IDAT", data);
   put_chunk(png, "IEND", {});
   return png;
+}
+
+inline Bytes build_png(const PngParts& parts) {
+  return build_png_of(parts, stored(parts.rows));
 }
 
 }  // namespace glassbox::test

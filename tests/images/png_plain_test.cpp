@@ -12,6 +12,7 @@
 #include <glassbox/base/random.h>
 #include <glassbox/images/png_plain.h>
 #include <glassbox/images/png_read.h>
+#include <glassbox/images/read.h>
 
 #include "tests/images/png_builder.h"
 
@@ -24,12 +25,27 @@ std::span<const std::byte> as_file(const Bytes& bytes) {
   return std::as_bytes(std::span(bytes));
 }
 
-Bytes deflated(const Bytes& data, int level) {
-  uLongf size = compressBound(uLong(data.size()));
-  Bytes stream(size);
-  REQUIRE(compress2(stream.data(), &size, data.data(), uLong(data.size()), level) == Z_OK);
-  stream.resize(size);
+// Returns the data as a zlib stream whose distances are at most 2^window_bits, 9 to 15.
+Bytes deflated(Bytes data, int level, int window_bits = 15) {
+  z_stream zlib{};
+  REQUIRE(deflateInit2(&zlib, level, Z_DEFLATED, window_bits, 8, Z_DEFAULT_STRATEGY) == Z_OK);
+  Bytes stream(deflateBound(&zlib, uLong(data.size())));
+  zlib.next_in = data.data();
+  zlib.avail_in = uInt(data.size());
+  zlib.next_out = stream.data();
+  zlib.avail_out = uInt(stream.size());
+  REQUIRE(deflate(&zlib, Z_FINISH) == Z_STREAM_END);
+  stream.resize(zlib.total_out);
+  REQUIRE(deflateEnd(&zlib) == Z_OK);
   return stream;
+}
+
+// Makes the header of a zlib stream state a window of 2^window_bits bytes, 8 to 15. The header's
+// two bytes are a multiple of 31 (RFC 1950).
+void state_window(Bytes& stream, int window_bits) {
+  stream[0] = std::uint8_t((window_bits - 8) << 4 | 8);
+  stream[1] = std::uint8_t(stream[1] & 0xe0);
+  stream[1] = std::uint8_t(stream[1] + 31 - (256 * stream[0] + stream[1]) % 31);
 }
 
 struct PlainFile {
@@ -150,6 +166,63 @@ TEST_CASE("what is decoded of a file with faults, libpng decodes in the same way
   // Faults in chunks that are skipped, or behind the picture, do no harm.
   CHECK(decoded > 20);
   CHECK(refused > 3000);
+}
+
+// Rows without a filter, of noise that is repeated from distances up to 32768 bytes.
+Bytes repeating_rows(std::size_t width, std::size_t height, Random& random) {
+  Bytes rows;
+  while (rows.size() < (width + 1) * height) {
+    const auto length = std::size_t(random.integer(4, 200));
+    const std::int64_t longest = std::int64_t(1) << random.integer(1, 15);
+    const auto distance = std::size_t(random.integer(1, longest));
+    const bool repeats = distance <= rows.size() && random.integer(0, 3) > 0;
+    for (std::size_t i = 0; i < length; ++i) {
+      rows.push_back(repeats ? rows[rows.size() - distance] : std::uint8_t(random.bits()));
+    }
+  }
+  rows.resize((width + 1) * height);
+  for (std::size_t y = 0; y < height; ++y) rows[y * (width + 1)] = 0;
+  return rows;
+}
+
+TEST_CASE("a window that zlib's header states too small is left to libpng to judge") {
+  Random random(73);
+  int plain = 0, small_and_plain = 0, refused = 0;
+  for (int round = 0; round < 1500; ++round) {
+    INFO("seed 73, round " << round);
+    const auto width = std::uint32_t(random.integer(1, 300));
+    const auto height = std::uint32_t(random.integer(1, 200));
+    const Bytes rows = repeating_rows(width, height, random);
+    const int level = int(random.integer(0, 9));
+    Bytes data = deflated(rows, level, int(random.integer(9, 15)));
+    const int stated = int(random.integer(8, 15));
+    if (random.integer(0, 3) > 0) state_window(data, stated);
+    const std::size_t window = std::size_t(256) << (data[0] >> 4);
+    const Bytes file =
+        test::build_png_of({.width = width, .height = height, .colour_type = 0}, data);
+    const auto image = decode_plain_png(as_file(file), kCompareLimits);
+    const auto expected = decode_with_libpng(as_file(file), kCompareLimits);
+    REQUIRE(image.has_value() == (window >= std::min<std::size_t>(rows.size(), 32768)));
+    if (image) {
+      if (!expected) FAIL(expected.error().message());
+      REQUIRE(*image == *expected);
+    }
+    plain += image ? 1 : 0;
+    small_and_plain += image && window < 32768 ? 1 : 0;
+    refused += expected ? 0 : 1;
+  }
+  CHECK(plain > 300);
+  CHECK(small_and_plain > 100);
+  CHECK(refused > 100);
+}
+
+TEST_CASE("a file whose window is too small for its data is refused, as libpng refuses it") {
+  const auto file =
+      read_file(GLASSBOX_SOURCE_DIR "/tests/fuzz/corpus/stored/found-small-window.png");
+  REQUIRE(file);
+  CHECK(!decode_plain_png(*file, kCompareLimits));
+  CHECK(!decode_with_libpng(*file, kCompareLimits));
+  CHECK(!decode_png_stored(*file, kCompareLimits));
 }
 
 TEST_CASE("limits and sizes that the file cannot have are left to libpng to refuse") {

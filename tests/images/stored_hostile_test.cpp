@@ -9,9 +9,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
+#include <glassbox/images/exr_header.h>
+#include <glassbox/images/format.h>
 #include <glassbox/images/png_text.h>
 #include <glassbox/images/read.h>
+#include <glassbox/images/stb_read.h>
 #include <glassbox/images/stored_image.h>
 #include <glassbox/images/write.h>
 
@@ -57,6 +61,49 @@ std::vector<File> small_files() {
   std::sort(files.begin(), files.end(),
             [](const File& a, const File& b) { return a.name < b.name; });
   return files;
+}
+
+// The kinds of files that a corpus of every format has.
+std::set<std::string> all_kinds() {
+  std::set<std::string> kinds{"JPEG", "BMP", "TGA", "Radiance HDR", "PFM Pf", "PFM PF"};
+  for (const char* magic : {"P1", "P2", "P3", "P4", "P5", "P6", "P7"}) {
+    kinds.insert("PNM "s + magic);
+  }
+  for (const char* type : {"0", "2", "3", "4", "6"}) kinds.insert("PNG, colour type "s + type);
+  for (int number = 0; number <= int(ExrCompression::kB44a); ++number) {
+    kinds.insert("OpenEXR, compression " + std::to_string(number));
+  }
+  return kinds;
+}
+
+// The kind of a file, as in all_kinds.
+std::string kind_of(const Bytes& file) {
+  const auto bytes = std::as_bytes(std::span(file));
+  constexpr std::size_t kPngType = 25;  // where a PNG has its colour type
+  const auto format = picture_format_of(bytes);
+  if (!format) return is_tga(bytes) ? "TGA" : "unknown";
+  const std::string magic(file.begin(), file.begin() + 2);
+  switch (format->format) {
+    case PictureFormat::kPng:
+      return "PNG, colour type " + std::to_string(file[kPngType]);
+    case PictureFormat::kJpeg:
+      return "JPEG";
+    case PictureFormat::kBmp:
+      return "BMP";
+    case PictureFormat::kPnm:
+      return "PNM " + magic;
+    case PictureFormat::kPfm:
+      return "PFM " + magic;
+    case PictureFormat::kHdr:
+      return "Radiance HDR";
+    case PictureFormat::kExr: {
+      const auto header = read_exr_header(bytes, kCompareLimits).value();
+      return "OpenEXR, compression " + std::to_string(int(header.compression));
+    }
+    case PictureFormat::kNotRead:
+      break;
+  }
+  return "not read";
 }
 
 void require_explained(const Result<StoredImage>& image) {
@@ -167,10 +214,14 @@ std::vector<File> bombs(std::uint32_t width, std::uint32_t height) {
 
 }  // namespace
 
+TEST_CASE("the corpus has files of every format, and of every compression of OpenEXR") {
+  std::set<std::string> kinds;
+  for (const auto& [name, bytes] : small_files()) kinds.insert(kind_of(bytes));
+  CHECK(kinds == all_kinds());
+}
+
 TEST_CASE("a small file of every format, cut off anywhere, is refused") {
-  const auto files = small_files();
-  REQUIRE(files.size() >= 44);
-  for (const auto& [name, bytes] : files) {
+  for (const auto& [name, bytes] : small_files()) {
     REQUIRE(decode(bytes));
     for (std::size_t size = 0; size < bytes.size(); ++size) {
       CAPTURE(name, size, bytes.size());
@@ -213,6 +264,20 @@ TEST_CASE("a tiny file that claims to be huge is refused without the memory") {
       CHECK(run.grown_kib < 32 * 1024);
     }
   }
+}
+
+TEST_CASE("a small OpenEXR picture of many channels is refused without the memory") {
+  // A file of 400 kB claims to have 1024 x 1024 pixels of 64 floats, which are 256 MiB.
+  const std::vector<std::uint32_t> window{0, 0, 1023, 1023};
+  test::ExrParts parts{
+      .channels = {}, .data = window, .display = window, .compression = 3, .rows = {Bytes(400000)}};
+  for (int i = 0; i < 63; ++i) parts.channels.push_back({"c" + std::to_string(i), 2});
+  parts.channels.push_back({"Y", 2});
+  const Bytes file = test::build_exr(parts);
+  const Run run = in_child([&] { return decode(file, {.max_pixels = 1 << 20}) ? 1 : 0; });
+  CHECK(run.result == 0);
+  CHECK(run.grown_kib >= 0);
+  CHECK(run.grown_kib < 32 * 1024);  // as above
 }
 
 TEST_CASE("more pixels than the limit allows are refused before they are decoded") {
