@@ -14,8 +14,7 @@ endfunction()
 function(run_ctest)
   cmake_parse_arguments(PARSE_ARGV 0 RUN "" "" "EXPECT")
   list(POP_FRONT RUN_EXPECT failures)
-  execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=CI --unset=GLASSBOX_APPROVE --unset=GLASSBOX_PROGRAM
-    --unset=GLASSBOX_FAILURES ${RUN_UNPARSED_ARGUMENTS} ${CMAKE_CTEST_COMMAND} --output-on-failure
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env ${RUN_UNPARSED_ARGUMENTS} ${CMAKE_CTEST_COMMAND} --output-on-failure
     WORKING_DIRECTORY ${build} OUTPUT_VARIABLE output ERROR_VARIABLE output)
   foreach(says "${failures} tests failed out of 3" ${RUN_EXPECT})
     string(FIND "${output}" "${says}" at)
@@ -63,7 +62,7 @@ function(find)\nfind_package(glassbox REQUIRED COMPONENTS image_tests)\nendfunct
   execute_process(COMMAND ${CMAKE_COMMAND} -S "${build} wrong" -B "${build} wrong" -G ${generator}
     -D CMAKE_PREFIX_PATH=${prefix} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(result EQUAL 0 AND ARGV2 STREQUAL "runs")
-    execute_process(COMMAND ${CMAKE_COMMAND} -E env --unset=GLASSBOX_PROGRAM ${CMAKE_CTEST_COMMAND} --output-on-failure
+    execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --output-on-failure
       WORKING_DIRECTORY "${build} wrong" RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   endif()
   string(REGEX REPLACE "[ \n]+" " " output "${output}")  # CMake breaks long lines

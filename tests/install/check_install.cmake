@@ -1,5 +1,11 @@
 # tests/install/CMakeLists.txt calls this file with build, consumer, clone, example, work, compiler,
 # flags, strict, generator.
+
+# The environment of the person who runs the test must not reach the programs.
+foreach(variable CI GLASSBOX_APPROVE GLASSBOX_PROGRAM GLASSBOX_FAILURES)
+  unset(ENV{${variable}})
+endforeach()
+
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -34,7 +40,7 @@ run(${CMAKE_COMMAND} -S ${consumer} -B ${work}/consumer-build -G ${generator}
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${work}/consumer-build)
 run(${work}/consumer-build/consumer ${work}/consumer.png)
-run(${CMAKE_COMMAND} -E env --unset=CI --unset=GLASSBOX_APPROVE GLASSBOX_FAILURES=${work}/consumer-failures
+run(${CMAKE_COMMAND} -E env GLASSBOX_FAILURES=${work}/consumer-failures
   ${work}/consumer-build/compares ${work}/consumer.png)
 # The files with which students' functions are compiled are there for every lab, and an installed
 # program finds them.
