@@ -53,6 +53,7 @@ foreach(part student.h student.cpp cases.h runner.cpp stages.cpp timed.cpp)
 endforeach()
 run(${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${work}/cache ${prefix}/bin/glassbox lab render ${prefix}/share/glassbox/labs/05-clipping teapot
   --size 64x36 -o ${work}/lab.png)
+include(${CMAKE_CURRENT_LIST_DIR}/check_pictures.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_library_page.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_golden.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_image_tests.cmake)
