@@ -25,7 +25,7 @@ function(expect_file path)
 endfunction()
 
 set(prefix "${work}/a prefix")
-file(REMOVE_RECURSE ${prefix} ${work}/consumer-build ${work}/cache)
+file(REMOVE_RECURSE ${prefix} ${work}/consumer-build ${work}/components-build ${work}/cache)
 run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
 run(${prefix}/bin/glassbox --version)
 foreach(file man/man1/glassbox.1 bash-completion/completions/glassbox zsh/site-functions/_glassbox
@@ -53,6 +53,9 @@ foreach(part student.h student.cpp cases.h runner.cpp stages.cpp timed.cpp)
 endforeach()
 run(${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${work}/cache ${prefix}/bin/glassbox lab render ${prefix}/share/glassbox/labs/05-clipping teapot
   --size 64x36 -o ${work}/lab.png)
+# find_package's components, which the project checks itself.
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/components -B ${work}/components-build -G ${generator}
+  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler})
 include(${CMAKE_CURRENT_LIST_DIR}/check_pictures.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_library_page.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_golden.cmake)
