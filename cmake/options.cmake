@@ -15,8 +15,8 @@ endif()
 # user's own settings say: a debugger would look for their sources in the other clone.
 find_program(GLASSBOX_CCACHE ccache DOC "Keeps what was compiled; empty: nothing does")
 if(GLASSBOX_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_HASHDIR=1
-    ${GLASSBOX_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env --unset=CCACHE_NOHASHDIR
+    CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_HASHDIR=1 ${GLASSBOX_CCACHE})
 endif()
 
 option(GLASSBOX_WERROR "Treat warnings as errors, those of g++ 12, 14 and clang++ 14, 19: other compilers have others" OFF)

@@ -10,6 +10,16 @@ if ! command -v "$program" >/dev/null; then
   exit 2
 fi
 
+# In this folder, a copy of a picture has no sidecar.
+alone=$(mktemp -d)
+trap 'rm -r "$alone"' EXIT
+
+# Whether glassbox can read the file as a picture.
+is_picture() {
+  cp "$1" "$alone/picture"
+  "$program" diff "$alone/picture" "$alone/picture" >/dev/null 2>&1
+}
+
 # check PICTURE compares it with itself. It passes unless its sidecar is refused.
 check() {
   "$program" diff "$1" "$1" >/dev/null || status=1
@@ -20,15 +30,16 @@ for sidecar in "$@"; do
   case $sidecar in /*) ;; *) sidecar=./$sidecar ;; esac
   name=${sidecar%.fuzzy}
   found=
-  # teapot.png.fuzzy belongs to teapot.png. teapot.fuzzy belongs to every teapot.*.
+  # teapot.png.fuzzy belongs to teapot.png. teapot.fuzzy belongs to teapot.png and teapot.pfm, and
+  # not to teapot.heat.png, whose own is teapot.heat.fuzzy.
   for picture in "$name" "$name".*; do
-    case $picture in *.fuzzy) continue ;; esac
-    [ -f "$picture" ] || continue
+    case ${picture#"$name"} in .*.* | .fuzzy) continue ;; esac
+    if [ ! -f "$picture" ] || ! is_picture "$picture"; then continue; fi
     found=yes
     check "$picture"
   done
   if [ -z "$found" ]; then
-    echo "$sidecar: belongs to no picture; name it after its picture, or delete it" >&2
+    echo "$sidecar: belongs to no picture that can be read; name it after its picture, or delete it" >&2
     status=1
   fi
 done

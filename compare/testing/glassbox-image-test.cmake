@@ -11,7 +11,9 @@
 # REFERENCE is in the current source directory. FUZZY, THRESHOLD, MAX_DIFFERING and
 # IGNORE_ANTIALIASING are options of `glassbox diff`; OPTIONS has others of them, as one would write
 # them. Where the pictures differ, FAILURES takes a heat map and a page: by default the folder that
-# the environment variable GLASSBOX_FAILURES names, or golden-failures in the working directory.
+# the environment variable GLASSBOX_FAILURES names, or golden-failures in the working directory. Their
+# names begin with NAME. Tests that share the folder must have different names: a test deletes what
+# an earlier test of its name left there.
 #
 # GLASSBOX_APPROVE=1 in ctest's environment makes the picture the golden image. This is refused where
 # CI is set.
@@ -33,7 +35,7 @@ function(glassbox_add_image_test)
     _glassbox_absolute(failures "${TEST_FAILURES}" "${working_directory}")
   endif()
 
-  set(options ${TEST_OPTIONS})
+  set(options "${TEST_OPTIONS}")
   set(encoded_options "")
   foreach(name FUZZY THRESHOLD MAX_DIFFERING)
     if(DEFINED TEST_${name})
@@ -78,6 +80,9 @@ macro(_glassbox_check_image_test)
       _glassbox_refuse("${name} is missing")
     endif()
   endforeach()
+  if("${TEST_NAME}" MATCHES "(^|/)[.][.](/|$)")
+    _glassbox_refuse("NAME has a part \"..\", so a page of that name would lie outside of the folder of failures")
+  endif()
   if(DEFINED TEST_KEYWORDS_MISSING_VALUES)
     _glassbox_refuse("there is no value for ${TEST_KEYWORDS_MISSING_VALUES}")
   endif()

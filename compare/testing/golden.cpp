@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <variant>
 
 #include <glassbox/compare/testing/picture_bytes.h>
 #include <glassbox/compare/testing/run_diff.h>
@@ -77,29 +78,32 @@ std::string write_bytes(const fs::path& path, const Bytes& bytes) {
 
 // ---- the picture, which is in memory or in a file ----
 
-std::string bytes_of(const PictureView& picture, const fs::path& golden, Bytes& bytes) {
-  const std::string why_not = why_not_stored(picture, golden.extension().string());
+// What the test has made: the content of a picture in memory, or the bytes of a file.
+using Made = std::variant<Content, Bytes>;
+
+// Like the functions above, `take` and `write` return what went wrong, or an empty text.
+std::string take(const PictureView& picture, const fs::path& golden, Made& made) {
+  const std::string extension = golden.extension().string();
+  const std::string why_not = why_not_stored(picture, extension);
   if (!why_not.empty()) return golden.string() + ": " + why_not;
-  bytes = encode(picture, golden.extension().string());
+  made = content_of(picture, extension);
   return "";
 }
-
-std::string bytes_of(const PictureFile& picture, const fs::path&, Bytes& bytes) {
-  return read_bytes(picture.path, bytes);
+std::string take(const PictureFile& picture, const fs::path&, Made& made) {
+  return read_bytes(picture.path, made.emplace<Bytes>());
 }
 
 // The fast check for equal pictures, which writes no file and starts no program.
-bool is_same(const PictureView& picture, const fs::path& golden) {
-  const std::string extension = golden.extension().string();
-  Bytes file;
-  return why_not_stored(picture, extension).empty() && read_bytes(golden, file).empty() &&
-         is_stored_in(file, picture, extension);
+bool is_same(const Made& made, const fs::path& golden) {
+  Bytes expected;
+  if (!read_bytes(golden, expected).empty()) return false;
+  const Content* content = std::get_if<Content>(&made);
+  return content != nullptr ? is_stored_in(expected, *content) : expected == std::get<Bytes>(made);
 }
 
-bool is_same(const PictureFile& picture, const fs::path& golden) {
-  Bytes expected, made;
-  return read_bytes(golden, expected).empty() && read_bytes(picture.path, made).empty() &&
-         made == expected;
+std::string write(const Made& made, const fs::path& path) {
+  const Content* content = std::get_if<Content>(&made);
+  return write_bytes(path, content != nullptr ? encode(*content) : std::get<Bytes>(made));
 }
 
 // Whether the golden image would be compared with itself, which no test can fail.
@@ -174,15 +178,15 @@ GoldenOutcome check(const Picture& picture, const std::string& golden_name,
                        ": failures would be written over the golden image; name another folder in "
                        "GLASSBOX_FAILURES"};
   }
-  if (is_same(picture, golden)) {
+  Made made;
+  if (const std::string wrong = take(picture, golden, made); !wrong.empty()) {
+    return {false, wrong};
+  }
+  if (is_same(made, golden)) {
     remove(files);
     return {true, "equals the golden image " + golden.string()};
   }
-  Bytes bytes;
-  if (const std::string wrong = bytes_of(picture, golden, bytes); !wrong.empty()) {
-    return {false, wrong};
-  }
-  if (const std::string wrong = write_bytes(files.picture, bytes); !wrong.empty()) {
+  if (const std::string wrong = write(made, files.picture); !wrong.empty()) {
     return {false, wrong};
   }
 

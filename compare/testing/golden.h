@@ -4,10 +4,11 @@
 //
 // A golden image is a picture that somebody has checked; it is stored with the tests. A test makes
 // the picture again and compares it, exactly unless a sidecar (NAME.fuzzy, see docs/diff.md) allows
-// more. Equal pictures are recognised here. All others are compared by the installed program,
-// `glassbox diff`. Where they differ, the test's picture, a heat map and a page for a browser are
-// written to the folder golden-failures below the directory in which the test runs (or to the
-// folder named by the environment variable GLASSBOX_FAILURES).
+// more. A golden image that Glassbox wrote, and that is equal, is recognised here; of two files,
+// only the same bytes are. The installed program, `glassbox diff`, compares everything else, equal
+// pictures of other programs' files, too. Where pictures differ, the test's picture, a heat map and
+// a page for a browser are written to the folder golden-failures below the directory in which the
+// test runs (or to the folder named by the environment variable GLASSBOX_FAILURES).
 //
 // With GLASSBOX_APPROVE=1 in the environment, pictures that differ and those that have no golden
 // image yet become golden images; this is refused where CI is set. GLASSBOX_PROGRAM names another

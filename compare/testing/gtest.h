@@ -40,10 +40,12 @@ inline testing::PolymorphicMatcher<GoldenMatcher> MatchesGolden(
   return testing::MakePolymorphicMatcher(GoldenMatcher(std::move(golden), source_file));
 }
 
-// Tells GoogleTest how to print the pictures of this namespace in its messages.
+// Tells GoogleTest how to print the pictures of this namespace in its messages. A template PrintTo
+// would be as good a match as GoogleTest's own, and so the call would be ambiguous.
 template <class Picture>
-auto PrintTo(const Picture& picture, std::ostream* out) -> decltype(void(picture_name(picture))) {
-  *out << picture_name(picture);
+auto operator<<(std::ostream& out, const Picture& picture)
+    -> decltype(out << picture_name(picture)) {
+  return out << picture_name(picture);
 }
 
 }  // namespace glassbox

@@ -1,6 +1,6 @@
 // Golden images for tests in JavaScript. Needs Node.js and the program glassbox.
 import {spawnSync} from "node:child_process";
-import {mkdirSync} from "node:fs";
+import {existsSync, mkdirSync, rmSync} from "node:fs";
 import path from "node:path";
 import {fileURLToPath} from "node:url";
 
@@ -15,6 +15,8 @@ export function assertMatchesGolden(picture, name, ...options) {
     if (run.error) throw run.error;
     return run;
   };
+  const page = path.resolve(process.env.GLASSBOX_FAILURES || "golden-failures", `${name}.html`);
+  rmSync(page, {force: true}); // that of an earlier failure
   const {status, stdout, stderr} = diff();
   if (status === 0) return;
   if (!["", "0", undefined].includes(process.env.GLASSBOX_APPROVE)) {
@@ -22,9 +24,8 @@ export function assertMatchesGolden(picture, name, ...options) {
     if (approval.status !== 0) throw new Error(approval.stderr); // refused where CI is set
     return;
   }
-  const page = path.resolve(process.env.GLASSBOX_FAILURES || "golden-failures", `${name}.html`);
   mkdirSync(path.dirname(page), {recursive: true});
   diff("--html", page);
-  throw new Error(`${stdout}${stderr}page: ${page}
-If the picture is right, run the test again with GLASSBOX_APPROVE=1.`);
+  const where = existsSync(page) ? `page: ${page}\n` : ""; // there is none if an option is refused
+  throw new Error(`${stdout}${stderr}${where}If the picture is right, run the test again with GLASSBOX_APPROVE=1.`);
 }

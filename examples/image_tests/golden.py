@@ -13,6 +13,9 @@ def assert_matches_golden(picture, name, *options):
     The options are those of `glassbox diff`. GLASSBOX_APPROVE=1 makes a picture that differs, or is
     new, the golden image.
     """
+    failures = pathlib.Path(os.environ.get("GLASSBOX_FAILURES") or "golden-failures").absolute()
+    page = failures / (name + ".html")
+    page.unlink(missing_ok=True)  # that of an earlier failure
     program = os.environ.get("GLASSBOX_PROGRAM") or "glassbox"
     command = [program, "diff", str(GOLDEN / name), str(picture), *options]
     run = subprocess.run(command, capture_output=True, text=True)
@@ -22,11 +25,10 @@ def assert_matches_golden(picture, name, *options):
         run = subprocess.run([*command, "--approve"], capture_output=True, text=True)
         assert run.returncode == 0, run.stderr  # refused where CI is set
         return
-    failures = pathlib.Path(os.environ.get("GLASSBOX_FAILURES") or "golden-failures").absolute()
-    page = failures / (name + ".html")
     page.parent.mkdir(parents=True, exist_ok=True)
     subprocess.run([*command, "--html", str(page)], capture_output=True)
+    where = f"page: {page}\n" if page.exists() else ""  # there is none if an option is refused
     raise AssertionError(
-        f"{run.stdout}{run.stderr}page: {page}\n"
+        f"{run.stdout}{run.stderr}{where}"
         "If the picture is right, run the test again with GLASSBOX_APPROVE=1."
     )

@@ -7,12 +7,9 @@
 
 #include "tests/app/working_directory.h"
 #include "tests/support/catch.h"
+#include "tests/support/contains.h"
 
 namespace glassbox::test {
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 // Returns the text as one line, with each run of blanks and line ends replaced by a blank, to find
 // sentences that are wrapped.

@@ -33,9 +33,15 @@ test("Playwright's recipe fails, is approved except on servers, passes, and find
   for (const more of [{GLASSBOX_APPROVE: "1"}, {}]) {
     const {status, stdout} = run(more);
     assert.equal(status, 0, stdout);
+    assert.ok(!fs.existsSync(page), "the page of the failure is deleted");
   }
   assert.ok(fs.existsSync(file("recipe/golden/heading.png")));
   write("recipe/heading.test.mjs", recipe.replace("A heading", "Another"));
   fails(run(), "pixels differ", `page: ${page}`);
   assert.ok(fs.existsSync(page));
+
+  write("recipe/heading.test.mjs", recipe.replace("--ignore-antialiasing", "--sise"));
+  const {status, stdout} = run();
+  assert.equal(status, 1, stdout);
+  assert.ok(stdout.includes("--sise") && !stdout.includes("page:"), stdout);
 });

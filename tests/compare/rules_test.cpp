@@ -1,6 +1,7 @@
 // Tests how options and a sidecar are combined, and notes about tolerances that are wider than
 // needed.
 #include "tests/support/catch.h"
+#include "tests/support/contains.h"
 
 #include <string>
 #include <vector>
@@ -14,10 +15,6 @@ Sidecar sidecar(const std::string& text) {
   const auto parsed = parse_sidecar("a.png.fuzzy", text + "\nreason: ties\n");
   REQUIRE(parsed);
   return *parsed;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 Differences differences(std::uint32_t largest, std::uint64_t pixels) {

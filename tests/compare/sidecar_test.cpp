@@ -1,5 +1,6 @@
 // Tests reading the sidecar, the file NAME.fuzzy beside a reference.
 #include "tests/support/catch.h"
+#include "tests/support/contains.h"
 
 #include <filesystem>
 #include <fstream>
@@ -28,10 +29,6 @@ Error refused(const std::string& text) {
   CHECK(sidecar.error().file == "golden/a.png.fuzzy");
   CHECK(!sidecar.error().remedy.empty());
   return sidecar.error();
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 void write(const std::string& path, const std::string& text) {

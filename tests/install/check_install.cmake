@@ -1,5 +1,11 @@
 # tests/install/CMakeLists.txt calls this file with build, consumer, clone, example, work, compiler,
 # flags, strict, generator.
+
+# The environment of the person who runs the test must not reach the programs.
+foreach(variable CI GLASSBOX_APPROVE GLASSBOX_PROGRAM GLASSBOX_FAILURES)
+  unset(ENV{${variable}})
+endforeach()
+
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -19,7 +25,7 @@ function(expect_file path)
 endfunction()
 
 set(prefix "${work}/a prefix")
-file(REMOVE_RECURSE ${prefix} ${work}/consumer-build ${work}/cache)
+file(REMOVE_RECURSE ${prefix} ${work}/consumer-build ${work}/components-build ${work}/cache)
 run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
 run(${prefix}/bin/glassbox --version)
 foreach(file man/man1/glassbox.1 bash-completion/completions/glassbox zsh/site-functions/_glassbox
@@ -34,7 +40,7 @@ run(${CMAKE_COMMAND} -S ${consumer} -B ${work}/consumer-build -G ${generator}
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${work}/consumer-build)
 run(${work}/consumer-build/consumer ${work}/consumer.png)
-run(${CMAKE_COMMAND} -E env --unset=CI --unset=GLASSBOX_APPROVE GLASSBOX_FAILURES=${work}/consumer-failures
+run(${CMAKE_COMMAND} -E env GLASSBOX_FAILURES=${work}/consumer-failures
   ${work}/consumer-build/compares ${work}/consumer.png)
 # The files with which students' functions are compiled are there for every lab, and an installed
 # program finds them.
@@ -47,6 +53,10 @@ foreach(part student.h student.cpp cases.h runner.cpp stages.cpp timed.cpp)
 endforeach()
 run(${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${work}/cache ${prefix}/bin/glassbox lab render ${prefix}/share/glassbox/labs/05-clipping teapot
   --size 64x36 -o ${work}/lab.png)
+# find_package's components, which the project checks itself.
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/components -B ${work}/components-build -G ${generator}
+  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler})
+include(${CMAKE_CURRENT_LIST_DIR}/check_pictures.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_library_page.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_golden.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/check_image_tests.cmake)

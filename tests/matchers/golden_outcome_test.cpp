@@ -143,6 +143,10 @@ TEST_CASE("a picture file is compared, and is approved as it is") {
   CHECK(says(tests.check(made, "golden.png"), "equals"));
   write("made.png", 7, "another");  // other bytes, and the same pixels
   CHECK(tests.check(made, "golden.png").matches);
+  {
+    const EnvironmentVariable named("GLASSBOX_PROGRAM", "/nowhere");  // so it was the program
+    CHECK(says(tests.check(made, "golden.png"), "not compared"));
+  }
   write("made.png", 8, "one");
   CHECK_FALSE(tests.check(made, "golden.png").matches);
 

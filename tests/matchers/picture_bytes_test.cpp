@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "tests/compare/pictures.h"
+#include "tests/images/png_builder.h"
 #include "tests/support/catch.h"
 
 #include <glassbox/compare/testing/picture_bytes.h>
+#include <glassbox/images/stored_image.h>
 #include <glassbox/images/write.h>
 
 namespace glassbox::test {
 namespace {
-
-using golden::Bytes;
 
 std::span<const std::byte> as_bytes_of(const Bytes& file) {
   return std::as_bytes(std::span(file));
@@ -52,13 +52,42 @@ Format format_of(const StoredImage& image) {
 }
 
 bool is_stored_in(const Bytes& file, const StoredImage& image) {
-  return golden::is_stored_in(file, picture_view(image), extension_of(format_of(image)));
+  return golden::is_stored_in(
+      file, golden::content_of(picture_view(image), extension_of(format_of(image))));
 }
 
 Bytes encoded(const StoredImage& image) {
   const PictureView view = picture_view(image);
   REQUIRE(golden::why_not_stored(view, extension_of(format_of(image))).empty());
-  return golden::encode(view, extension_of(format_of(image)));
+  return golden::encode(golden::content_of(view, extension_of(format_of(image))));
+}
+
+// The chunks of a PNG file, each with its length, type, data and checksum.
+std::vector<Bytes> chunks_of(const Bytes& file) {
+  std::vector<Bytes> chunks;
+  for (auto at = file.begin() + 8; at != file.end(); at += std::ptrdiff_t(chunks.back().size())) {
+    const std::ptrdiff_t size = at[0] << 24 | at[1] << 16 | at[2] << 8 | at[3];
+    chunks.emplace_back(at, at + 12 + size);
+  }
+  return chunks;
+}
+
+// Distributes the data of a chunk to two chunks, the second of them anywhere behind the first.
+void split(std::vector<Bytes>& chunks, std::vector<Bytes>::iterator chunk, Random& random) {
+  const std::string type(chunk->begin() + 4, chunk->begin() + 8);
+  const Bytes data(chunk->begin() + 8, chunk->end() - 4);
+  const auto middle = data.begin() + random.integer(0, std::int64_t(data.size()));
+  chunk->clear();
+  put_chunk(*chunk, type, {data.begin(), middle});
+  Bytes second;
+  put_chunk(second, type, {middle, data.end()});
+  chunks.insert(chunk + random.integer(1, chunks.end() - chunk), second);
+}
+
+Bytes file_of_chunks(const Bytes& signature_of, const std::vector<Bytes>& chunks) {
+  Bytes file(signature_of.begin(), signature_of.begin() + 8);
+  for (const Bytes& chunk : chunks) file.insert(file.end(), chunk.begin(), chunk.end());
+  return file;
 }
 
 // The picture with one of its samples changed by the least amount.
@@ -122,10 +151,12 @@ TEST_CASE("rows may lie apart, and from the bottom to the top") {
           }
           const std::string extension = extension_of(format_of(image));
           const auto* top_row = up.data() + (image.height - 1) * step;
-          CHECK(golden::encode({image.width, image.height, image.channels, down.data(), step},
-                               extension) == encoded(image));
-          CHECK(golden::encode({image.width, image.height, image.channels, top_row, -step},
-                               extension) == encoded(image));
+          const auto encoded_view = [&](const auto* first, std::ptrdiff_t row_step) {
+            return golden::encode(golden::content_of(
+                {image.width, image.height, image.channels, first, row_step}, extension));
+          };
+          CHECK(encoded_view(down.data(), step) == encoded(image));
+          CHECK(encoded_view(top_row, -step) == encoded(image));
         },
         image.samples);
   }
@@ -135,7 +166,8 @@ TEST_CASE("an alpha that is opaque everywhere is not stored, as in the library's
   Image<Rgba8> image(5, 4, {1, 2, 3, 255});
   const auto of_library = [&] { return *decode_stored(*encode_png(image)); };
   const auto of_matchers = [&] {
-    return *decode_stored(as_bytes_of(golden::encode(picture_view(image), ".png")));
+    const golden::Content content = golden::content_of(picture_view(image), ".png");
+    return *decode_stored(as_bytes_of(golden::encode(content)));
   };
   CHECK(of_matchers().channels == 3);
   CHECK(of_matchers() == of_library());
@@ -148,19 +180,54 @@ TEST_CASE("a broken file is no picture's, and no byte beyond its end is read") {
   Random random(47);
   const StoredImage image = random_picture(random, 9, 7, 3, Format::kBytes);
   const Bytes file = encoded(image);
-  for (std::size_t size = 0; size < file.size() - 12; ++size) {
+  for (std::size_t size = 0; size < file.size(); ++size) {
     const Bytes part(file.begin(), file.begin() + std::ptrdiff_t(size));
     CHECK_FALSE(is_stored_in(part, image));
   }
-  // A changed checksum of a chunk is not noticed here; the samples are the same.
+  // Every byte of the file is the signature's, or a checksum covers it.
   for (int round = 0; round < 2000; ++round) {
     Bytes broken = file;
-    broken[std::size_t(random.integer(0, std::int64_t(file.size()) - 1))] ^=
-        std::uint8_t(random.integer(1, 255));
-    if (is_stored_in(broken, image)) {
-      const auto back = decode_stored(as_bytes_of(broken));
-      CHECK((!back || *back == image));
+    const auto at = std::size_t(random.integer(0, std::int64_t(file.size()) - 1));
+    broken[at] ^= std::uint8_t(random.integer(1, 255));
+    CHECK_FALSE(is_stored_in(broken, image));
+  }
+}
+
+TEST_CASE("a file whose chunks are in another order is found only if the library reads it") {
+  Random random(49);
+  for (int round = 0; round < 3000; ++round) {
+    const StoredImage image = random_picture(random, 9, 7, 3, Format::kBytes);
+    const std::vector<TextEntry> text{{"Software", "some program"}};
+    const Bytes file = bytes_of(*encode_png(image, text));
+    std::vector<Bytes> chunks = chunks_of(file);
+    for (std::int64_t edits = random.integer(1, 5); edits > 0 && !chunks.empty(); --edits) {
+      const std::int64_t last = std::int64_t(chunks.size()) - 1;
+      const auto from = chunks.begin() + random.integer(0, last);
+      const auto to = chunks.begin() + random.integer(0, last);
+      switch (random.integer(0, 3)) {
+        case 0:
+          std::swap(*from, *to);
+          break;
+        case 1:
+          chunks.insert(to, Bytes(*from));
+          break;
+        case 2:
+          chunks.erase(from);
+          break;
+        default:
+          split(chunks, from, random);
+      }
     }
+    const Bytes edited = file_of_chunks(file, chunks);
+    if (!is_stored_in(edited, image)) continue;
+    std::string order;
+    for (const Bytes& chunk : chunks) {
+      order += std::string(chunk.begin() + 4, chunk.begin() + 8) + " ";
+    }
+    INFO(order);
+    const auto back = decode_stored(as_bytes_of(edited));
+    REQUIRE(back);
+    CHECK(*back == image);
   }
 }
 
@@ -175,6 +242,12 @@ TEST_CASE("what cannot be stored is refused with a reason and a remedy") {
   CHECK(refused({2, 2, 3, floats}, ".pfm").empty());
   CHECK(refused({2, 2, 4, bytes}, ".jpg").find("end its name in") != std::string::npos);
   CHECK(refused({0, 2, 4, bytes}, ".png").find("0 x 2") != std::string::npos);
+  // As many pixels as glassbox diff compares.
+  const int most = int(kCompareLimits.max_pixels);
+  CHECK(refused({most, 1, 1, bytes}, ".png").empty());
+  CHECK(refused({1, most, 1, bytes}, ".png").empty());
+  CHECK(refused({most + 1, 1, 1, bytes}, ".png").find("2^28") != std::string::npos);
+  CHECK(refused({1, most + 1, 1, bytes}, ".png").find("2^28") != std::string::npos);
   CHECK(refused({1 << 20, 1 << 20, 1, bytes}, ".png").find("2^28") != std::string::npos);
   CHECK(refused({2, 2, 5, bytes}, ".png").find("5 channels") != std::string::npos);
   CHECK(refused({2, 2, 4, none}, ".png").find("too few samples") != std::string::npos);

@@ -5,6 +5,7 @@
 #include <glassbox/mesh/obj/load.h>
 
 #include "tests/support/catch.h"
+#include "tests/support/contains.h"
 
 namespace glassbox {
 namespace {
@@ -28,10 +29,6 @@ std::string refusal(const std::string& obj, const LoadLimits& limits = {}) {
   CHECK_FALSE(scene.error().remedy.empty());
   CHECK(scene.error().message().find('\n') == std::string::npos);
   return scene.error().message();
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 bool warns_of(const Scene& scene, const std::string& part) {

@@ -115,6 +115,17 @@ TEST_CASE("a file of tolerances passes its hook if it can be read and belongs to
   CHECK(contains(says("teapot.fuzzy", "max-differing: few\nreason: x\n"), "line 1"));
   CHECK(contains(says("teapot.fuzzy", fine + "mask: none.png\n"), "none.png"));
   CHECK(contains(says("tea.png.fuzzy", fine), "belongs to no picture"));
+  // What lies beside a picture, and is none, has no tolerances; neither has teapot.heat.png here,
+  // whose file would be teapot.heat.fuzzy.
+  project.write("a folder/cube.obj", "v 0 0 0\n");
+  project.write("a folder/cube", "no picture");
+  CHECK(says("a folder/cube.fuzzy", fine).empty());
+  CHECK(contains(says("a folder/cube.fuzzy", "garbage\n"), "cube.fuzzy"));
+  CHECK(contains(says("a folder/cube.obj.fuzzy", fine), "belongs to no picture"));
+  project.draw("cube", "tea.heat.png");
+  CHECK(contains(says("tea.fuzzy", "garbage\n"), "belongs to no picture"));
+  CHECK(says("tea.heat.fuzzy", fine).empty());
+  CHECK(contains(says("tea.heat.fuzzy", "garbage\n"), "tea.heat.fuzzy"));
   CHECK(contains(says("-o.fuzzy", fine), "belongs to no picture"));
 
   project.write("one.fuzzy", fine);

@@ -9,6 +9,8 @@
 
 #include "tests/compare/environment.h"
 #include "tests/images/temporary_directory.h"
+#include "tests/support/catch.h"
+#include "tests/support/contains.h"
 #include "tests/support/run_program.h"
 
 namespace glassbox::test {
@@ -21,10 +23,6 @@ public:
     std::filesystem::create_directories(std::filesystem::path(path(name)).parent_path());
     std::ofstream(path(name), std::ios::binary) << text;
   }
-  std::string read(const std::string& name) const {
-    std::ifstream in(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
   void copy(const std::string& folder_of_clone) const {
     std::filesystem::copy(std::filesystem::path(GLASSBOX_SOURCE_DIR) / folder_of_clone,
                           directory_.path());
@@ -32,7 +30,9 @@ public:
   // Draws a built-in scene of 96 x 64 pixels into a file of the project.
   void draw(const std::string& scene, const std::string& name) const {
     std::filesystem::create_directories(std::filesystem::path(path(name)).parent_path());
-    run("glassbox", {"render", scene, "--size", "96x64", "-o", path(name)});
+    const Outcome outcome = run("glassbox", {"render", scene, "--size", "96x64", "-o", path(name)});
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
   }
   // Runs a program that is looked for in PATH.
   Outcome run(const std::string& program, std::vector<std::string> arguments) const {
@@ -53,9 +53,5 @@ private:
   EnvironmentVariable no_failures_{"GLASSBOX_FAILURES", {}};
   EnvironmentVariable no_program_{"GLASSBOX_PROGRAM", {}};
 };
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace glassbox::test

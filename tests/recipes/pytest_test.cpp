@@ -17,10 +17,12 @@ void check_recipe(const Project& project, const auto& run) {
     CHECK(outcome.exit_code == 1);
     for (const std::string& text : texts) CHECK(contains(outcome.out + outcome.err, text));
   };
+  // A test that passes also deletes the page of an earlier failure.
   const auto passes = [&] {
     const Outcome outcome = run();
     INFO(outcome.out << outcome.err);
     CHECK(outcome.exit_code == 0);
+    CHECK_FALSE(project.has("golden-failures/cube.png.html"));
   };
   project.copy("examples/image_tests");
   const std::string page = project.path("golden-failures/cube.png.html");
@@ -43,6 +45,14 @@ void check_recipe(const Project& project, const auto& run) {
   fails_with({"pixels differ"});  // the recipe's own tolerance replaces that of the file
 }
 
+// Runs the recipe with an option that does not exist.
+Outcome with_a_slip(const Project& project) {
+  return project.run("python3",
+                     {"-B", "-c",
+                      "from golden import assert_matches_golden\n"
+                      "assert_matches_golden('golden/cube.png', 'cube.png', '--sise')\n"});
+}
+
 }  // namespace
 
 TEST_CASE("pytest's recipe is a plain function, which fails, is approved, and passes") {
@@ -52,6 +62,13 @@ TEST_CASE("pytest's recipe is a plain function, which fails, is approved, and pa
                                    "import pathlib, test_cube\n"
                                    "test_cube.test_cube(pathlib.Path('.'))\n"});
   });
+  // There is no page of what glassbox diff refuses, and the page of the failure before is not named.
+  CHECK(project.has("golden-failures/cube.png.html"));
+  const Outcome outcome = with_a_slip(project);
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == 1);
+  CHECK(contains(outcome.err, "--sise"));
+  CHECK_FALSE(contains(outcome.err, "page:"));
 }
 
 TEST_CASE("pytest's recipe does the same when pytest runs it") {

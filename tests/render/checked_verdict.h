@@ -13,6 +13,7 @@
 #include "app/why/verdict_text.h"
 #include "tests/render/scenes.h"
 #include "tests/support/catch.h"
+#include "tests/support/contains.h"
 
 namespace glassbox::test {
 
@@ -102,10 +103,6 @@ inline std::string explanation_text(const View& view, const TriangleVerdict& ver
   std::string all;
   for (const std::string& paragraph : explain(view, verdict)) all += paragraph + "\n";
   return all;
-}
-
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace glassbox::test

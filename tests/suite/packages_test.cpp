@@ -11,8 +11,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/compare/environment.h"
 #include "tests/images/temporary_directory.h"
 #include "tests/support/catch.h"
+#include "tests/support/contains.h"
 #include "tests/support/run_program.h"
 
 namespace glassbox::test {
@@ -185,6 +187,33 @@ TEST_CASE("CMake configures the project without a warning, of what is deprecated
   CHECK(fine.err.empty());
   CHECK(fine.out.find("CMake Warning") == std::string::npos);
   CHECK(fine.out.find("Deprecation") == std::string::npos);
+}
+
+TEST_CASE("ccache takes objects with -g from no other clone, whatever the user's settings say") {
+  const TemporaryDirectory project;
+  std::ofstream(project.file("CMakeLists.txt"))
+      << "cmake_minimum_required(VERSION 3.25)\nproject(launcher LANGUAGES CXX)\ninclude(\""
+      << (kClone / "cmake/options.cmake").string()
+      << "\")\nmessage(\"${CMAKE_CXX_COMPILER_LAUNCHER}\")\n";
+  const EnvironmentVariable no_launcher("CMAKE_CXX_COMPILER_LAUNCHER", {});
+  // In place of ccache there is a program that prints its environment.
+  const Outcome configured =
+      run_program(GLASSBOX_CMAKE,
+                  {"-S", ".", "-B", "build", "-G", "Ninja", "-DGLASSBOX_CCACHE=/usr/bin/env",
+                   "-DCMAKE_CXX_COMPILER=" GLASSBOX_COMPILER},
+                  project.path().string());
+  INFO(configured.err);
+  REQUIRE(configured.exit_code == 0);
+  std::vector<std::string> words;
+  std::istringstream in(configured.err.substr(0, configured.err.find('\n')));
+  for (std::string word; std::getline(in, word, ';');) words.push_back(word);
+  REQUIRE(words.size() > 2);
+
+  // ccache obeys the variable that comes last of these two.
+  const EnvironmentVariable on("CCACHE_HASHDIR", "1"), off("CCACHE_NOHASHDIR", "1");
+  const Outcome run = run_program(words.front(), {words.begin() + 1, words.end()}, "/");
+  CHECK(contains(run.out, "CCACHE_HASHDIR=1\n"));
+  CHECK_FALSE(contains(run.out, "CCACHE_NOHASHDIR="));
 }
 
 // Editors read more settings of devcontainer.json than this test knows. It checks that the file is
