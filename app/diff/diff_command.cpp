@@ -1,9 +1,9 @@
 // glassbox diff REFERENCE TEST: checks whether two pictures, or the pictures in two directories,
 // are the same.
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <iostream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -15,10 +15,10 @@
 #include "app/diff/diff_request.h"
 #include "app/pixel/pixel_command.h"
 #include "cli/options/add_command.h"
+#include "cli/options/scene_input.h"
 #include "cli/report/exit_codes.h"
 #include "cli/report/progress.h"
 
-#include <glassbox/base/counted.h>
 #include <glassbox/base/error.h>
 #include <glassbox/base/printable.h>
 #include <glassbox/compare/pictures/approval.h>
@@ -69,12 +69,13 @@ int exit_code_of(const std::vector<Comparison>& comparisons) {
 }
 
 Result<std::string> read_list(const std::string& path) {
-  if (path == "-") {
-    return std::string(std::istreambuf_iterator<char>(std::cin), {});
-  }
   constexpr std::uint64_t kMaxBytes = std::uint64_t(1) << 26;
-  const auto bytes = read_file(path, kMaxBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
+  const auto bytes = path == "-" ? read_standard_input(kMaxBytes) : read_file(path, kMaxBytes);
+  if (!bytes) {
+    const std::string name = path == "-" ? "standard input" : path;
+    return tl::unexpected(Error{name, "", bytes.error().cause,
+                                "give --approve-list the names of pictures, one a line"});
+  }
   return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
 }
 
@@ -157,7 +158,7 @@ void DiffCommand::print(const std::vector<Comparison>& comparisons, const Pairin
   for (const std::string& orphan : pairing.orphans) {
     fmt::print("note: {} belongs to no picture\n", printable(orphan, 400));
   }
-  if (directories_ && !may_exist(request_.reference)) {
+  if (directories_ && !may_exist(request_.reference) && !request_.approves()) {
     fmt::print(
         "note: the reference folder {} does not exist yet: look at the pictures; --approve "
         "creates it and makes them the references\n",

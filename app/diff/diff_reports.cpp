@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,7 +30,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 // Whether writing to `path` would overwrite one of the two compared pictures or the reference's
 // sidecar file (.fuzzy).
-bool is_input(const std::string& path, const PicturePaths& pair) {
+bool is_of_pair(const std::string& path, const PicturePaths& pair) {
   const std::string stem = fs::path(pair.reference).replace_extension(".fuzzy").string();
   return is_same_file(path, pair.reference) || is_same_file(path, pair.test) ||
          is_same_file(path, pair.reference + ".fuzzy") || is_same_file(path, stem);
@@ -40,35 +41,59 @@ bool is_file(const std::string& path) {
   return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
 }
 
+// Whether writing to `path` would overwrite a file that the command reads.
+bool is_input(const std::string& path, const DiffRequest& request, const Pairing& pairing) {
+  if (is_same_file(path, request.options.mask)) return true;
+  if (request.approve_list && is_same_file(path, *request.approve_list)) return true;
+  return std::any_of(pairing.pictures.begin(), pairing.pictures.end(),
+                     [&](const PicturePaths& pair) { return is_of_pair(path, pair); });
+}
+
 bool is_compared(const std::string& folder, const DiffRequest& request) {
   return is_same_file(folder, request.reference) || is_same_file(folder, request.test);
 }
 
-Result<void> check_heat_folder(const DiffRequest& request) {
-  const std::string& folder = *request.heat;
-  if (is_file(folder)) {
-    return tl::unexpected(Error{
-        folder, "-o", "is a file, but two directories give several heat maps", "name a folder"});
+// A folder that the command writes to.
+struct OutputFolder {
+  std::string path, option;
+  std::string why;     // there has to be a folder
+  std::string remedy;  // gives it another name
+};
+
+Result<void> check_folder(const OutputFolder& folder, const DiffRequest& request) {
+  const auto& [path, option, why, remedy] = folder;
+  if (is_file(path)) {
+    return tl::unexpected(Error{path, option, "is a file, but " + why, remedy});
   }
-  if (is_compared(folder, request)) {
-    return tl::unexpected(Error{folder, "-o", "this is one of the directories to compare",
-                                "name another folder for the heat maps"});
+  if (is_compared(path, request)) {
+    return tl::unexpected(Error{path, option, "this is one of the directories to compare", remedy});
   }
   return {};
 }
 
-Result<void> check_page_folder(const DiffRequest& request) {
+Result<void> check_heat_folder(const DiffRequest& request) {
+  return check_folder({*request.heat, "-o", "two directories give several heat maps",
+                       "name another folder for the heat maps"},
+                      request);
+}
+
+// Checks the folder beside the page, where other reports would be in the way of its files.
+Result<void> check_page_folder(const DiffRequest& request, const Pairing& pairing,
+                               std::vector<std::string> reports) {
   const std::string folder = page_folder(*request.page);
-  if (is_file(folder)) {
-    return tl::unexpected(Error{folder, "--html-files",
-                                "is a file, but the page's pictures need a folder of this name",
-                                "give the page another name"});
+  const auto legal =
+      check_folder({folder, "--html-files", "the page's pictures need a folder of this name",
+                    "give the page another name"},
+                   request);
+  if (!legal) return legal;
+  for (const std::string& path : reports) {
+    if (!is_same_file(fs::path(path).parent_path().string(), folder)) continue;
+    return tl::unexpected(Error{path, "", "lies in the folder of the page's pictures",
+                                "write this report to another folder"});
   }
-  if (is_compared(folder, request)) {
-    return tl::unexpected(Error{folder, "--html-files", "this is one of the directories to compare",
-                                "give the page another name"});
-  }
-  return {};
+  reports.push_back(folder);
+  if (auto distinct = check_distinct(reports); !distinct) return distinct;
+  return check_page_files(*request.page, pairing.pictures.size());
 }
 
 Result<void> check_standard_output(const DiffRequest& request) {
@@ -151,15 +176,13 @@ Result<void> check_diff_reports(const DiffRequest& request, const Pairing& pairi
     if (const auto legal = check_heat_folder(request); !legal) return legal;
   }
   if (request.page && request.page_files) {
-    if (const auto legal = check_page_folder(request); !legal) return legal;
+    const auto legal = check_page_folder(request, pairing, outputs.paths());
+    if (!legal) return legal;
   }
   for (const std::string& path : outputs.paths()) {
-    const bool input = is_same_file(path, request.options.mask) ||
-                       std::any_of(pairing.pictures.begin(), pairing.pictures.end(),
-                                   [&](const PicturePaths& pair) { return is_input(path, pair); });
-    if (input) {
+    if (is_input(path, request, pairing)) {
       return tl::unexpected(Error{path, "",
-                                  "this is one of the files to compare, which would be overwritten",
+                                  "this is one of the files to read, which would be overwritten",
                                   "give the report its own name"});
     }
   }

@@ -11,8 +11,8 @@
 
 namespace glassbox::app {
 
-// Checks the paths of the reports before a long run: none may be one of the files to compare, and
-// two may not go to standard output. `directories`: two directories are compared.
+// Checks the paths of the reports before a long run: none may be one of the files to read, and two
+// may not go to standard output. `directories`: two directories are compared.
 Result<void> check_diff_reports(const DiffRequest& request, const Pairing& pairing,
                                 bool directories);
 

@@ -32,11 +32,6 @@ bool has_same_samples(const StoredImage& a, const StoredImage& b) {
   return a.channels == b.channels && a.samples.index() == b.samples.index();
 }
 
-bool is_the_picture(const StoredImage& image, const PictureFacts& facts) {
-  return image.width == facts.width && image.height == facts.height &&
-         channel_names(image) == facts.channels && format_name(image) == facts.format;
-}
-
 }  // namespace
 
 bool PreparedPair::is_comparable() const {
@@ -56,6 +51,11 @@ PreparedPair prepare_pair(StoredImage reference, StoredImage test, const Compare
     lay_on_canvas(pair);
   }
   return pair;
+}
+
+bool is_the_picture(const StoredImage& image, const PictureFacts& facts) {
+  return image.width == facts.width && image.height == facts.height &&
+         channel_names(image) == facts.channels && format_name(image) == facts.format;
 }
 
 Result<std::shared_ptr<const PreparedPair>> pixels_of(const Comparison& comparison) {

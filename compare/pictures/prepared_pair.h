@@ -30,6 +30,9 @@ struct PreparedPair {
 // their sizes.
 PreparedPair prepare_pair(StoredImage reference, StoredImage test, const CompareOptions& options);
 
+// Whether the picture has the size, channels and format of the one that was compared.
+bool is_the_picture(const StoredImage& image, const PictureFacts& facts);
+
 // The two pictures of a comparison, prepared as it did: those that it kept; otherwise they are read
 // again. An error if a file cannot be read, or has another size, other channels or another format
 // by now.

@@ -29,7 +29,7 @@ std::string in_message(std::string_view text) {
 
 std::string annotation(const Comparison& comparison) {
   std::string message = comparison_line(comparison) + "\n" + comparison_details(comparison);
-  message.pop_back();
+  message.pop_back();  // the line feed at the end, of the details or of the first line
   return fmt::format("::error file={},title={}::{}\n", in_property(comparison.reference.path),
                      in_property("picture " + verdict_name(comparison.verdict)),
                      in_message(message));

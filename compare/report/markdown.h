@@ -8,8 +8,9 @@
 
 namespace glassbox {
 
-// A title, the numbers of pictures by verdict, and a table of the pictures that do not pass: 200
-// rows at most, because GitHub refuses a summary above 1 MiB, and then how many more there are.
+// A title, the numbers of pictures by verdict, and a table of the pictures that do not pass. It has
+// at most 65,536 bytes, which is the most characters that a comment on GitHub may have (a summary:
+// 1 MiB): rows that do not fit are counted in its last line.
 std::string markdown_report(const std::string& title, std::span<const Comparison> comparisons);
 
 }  // namespace glassbox

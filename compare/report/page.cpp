@@ -77,26 +77,47 @@ std::string alone_command(const Comparison& comparison) {
          shell_quoted(comparison.test.path).value_or("TEST") + " --html pair.html";
 }
 
-// What the page has of a picture: on a canvas only where the picture is.
-std::vector<PixelBox> parts_of(const Comparison& comparison, const PagePicture& picture,
-                               const CropLimits& limits) {
+// A picture, and the boxes of it that the page has.
+struct PicturePart {
+  const PagePicture* picture;
+  std::vector<PixelBox> boxes;
+};
+
+// What the page has of the pictures: on a canvas only where they are.
+std::vector<PicturePart> parts_of(const Comparison& comparison,
+                                  const std::vector<PagePicture>& pictures,
+                                  const CropLimits& limits) {
   const Differences* differences = comparison.differences ? &*comparison.differences : nullptr;
-  auto boxes = crops_of(picture.image.width, picture.image.height, differences, limits);
-  if (!picture.place) return boxes;
-  for (PixelBox& box : boxes) box = intersection(box, *picture.place);
-  std::erase_if(boxes, [](const PixelBox& box) { return box.width <= 0 || box.height <= 0; });
-  return boxes;
+  std::vector<PicturePart> parts;
+  for (const PagePicture& picture : pictures) {
+    auto boxes = crops_of(picture.image->width, picture.image->height, differences, limits);
+    if (picture.place) {
+      for (PixelBox& box : boxes) box = intersection(box, *picture.place);
+      std::erase_if(boxes, [](const PixelBox& box) { return box.width <= 0 || box.height <= 0; });
+    }
+    parts.push_back({&picture, std::move(boxes)});
+  }
+  return parts;
+}
+
+std::uint64_t bytes_in(const std::vector<PicturePart>& parts) {
+  std::uint64_t bytes = 0;
+  for (const auto& [picture, boxes] : parts) bytes += bytes_in(*picture->image, boxes);
+  return bytes;
 }
 
 // What the script is told about a picture, without the place of its samples.
-Json facts_of(const PagePicture& picture, const std::vector<PixelBox>& tiles) {
-  Json json{{"width", picture.image.width},
-            {"height", picture.image.height},
-            {"channels", picture.image.channels},
-            {"type", type_name(picture.image)},
+Json facts_of(const PicturePart& part) {
+  const StoredImage& image = *part.picture->image;
+  Json json{{"width", image.width},
+            {"height", image.height},
+            {"channels", image.channels},
+            {"type", type_name(image)},
             {"tiles", Json::array()}};
-  for (const auto& [x, y, width, height] : tiles) json["tiles"].push_back({x, y, width, height});
-  if (const auto& place = picture.place) {
+  for (const auto& [x, y, width, height] : part.boxes) {
+    json["tiles"].push_back({x, y, width, height});
+  }
+  if (const auto& place = part.picture->place) {
     json["place"] = {place->x, place->y, place->width, place->height};
   }
   return json;
@@ -129,85 +150,77 @@ public:
     auto thumbnail = png_of(page_thumbnail(pictures));
     if (!thumbnail) return tl::unexpected(thumbnail.error());
     pair["thumbnail"] = *std::move(thumbnail);
-    if (options_.files_beside) return add_beside(comparison, pictures, pair);
-    if (takes(comparison, pictures, options_.crops, left_)) {
-      return add_inside(comparison, pictures, options_.crops, pair);
+    const auto parts = parts_of(comparison, pictures, options_.crops);
+    if (!options_.files_beside && take(parts, left_)) return add_inside(parts, pair);
+    const auto small_parts = parts_of(comparison, pictures, options_.small_crops);
+    if (is_small(pictures) && take(small_parts, left_for_crops_)) {
+      return add_inside(small_parts, pair);
     }
-    return leave_out(comparison, pictures, pair);
+    if (!options_.files_beside) {
+      leave_out(comparison, pair);
+    } else if (auto written = add_beside(parts, pair); !written) {
+      return written;
+    }
+    // Without differences, a crop would be any corner of the picture.
+    const bool has_regions = comparison.differences && comparison.differences->differing > 0;
+    if (!has_regions || !take(small_parts, left_for_crops_)) return {};
+    return add_inside(small_parts, pair);
   }
 
   const std::string& blobs() const { return blobs_; }
+  std::size_t file_count() const { return file_count_; }
 
 private:
-  // Takes the bytes of the pictures' parts from what is left, if they fit.
-  static bool takes(const Comparison& comparison, const std::vector<PagePicture>& pictures,
-                    const CropLimits& limits, std::uint64_t& left) {
-    std::uint64_t bytes = 0;
-    for (const PagePicture& picture : pictures) {
-      bytes += bytes_in(picture.image, parts_of(comparison, picture, limits));
-    }
+  // Takes the bytes of the parts from what is left, if they fit.
+  static bool take(const std::vector<PicturePart>& parts, std::uint64_t& left) {
+    const std::uint64_t bytes = bytes_in(parts);
     if (bytes > left) return false;
     left -= bytes;
     return true;
   }
 
-  Result<void> add_inside(const Comparison& comparison, const std::vector<PagePicture>& pictures,
-                          const CropLimits& limits, Json& pair) {
-    for (const PagePicture& picture : pictures) {
-      const auto tiles = parts_of(comparison, picture, limits);
-      const auto blob = encode_blob(picture.image, tiles);
+  // Whether the small crops are the whole pictures.
+  bool is_small(const std::vector<PagePicture>& pictures) const {
+    return std::all_of(pictures.begin(), pictures.end(), [this](const PagePicture& picture) {
+      return picture.image->pixels() <= options_.small_crops.whole_pixels;
+    });
+  }
+
+  Result<void> add_inside(const std::vector<PicturePart>& parts, Json& pair) {
+    for (const PicturePart& part : parts) {
+      const auto blob = encode_blob(*part.picture->image, part.boxes);
       if (!blob) return tl::unexpected(blob.error());
       const std::string id = fmt::format("blob-{}", blob_count_++);
       blobs_ += data_block(id, *blob);
-      Json& facts = pair["pictures"][picture.name] = facts_of(picture, tiles);
+      Json& facts = pair["pictures"][part.picture->name] = facts_of(part);
       facts["blob"] = id;
     }
     return {};
   }
 
   // Writes the pictures to a file of the page's folder.
-  Result<void> add_beside(const Comparison& comparison, const std::vector<PagePicture>& pictures,
-                          Json& pair) {
+  Result<void> add_beside(const std::vector<PicturePart>& parts, Json& pair) {
     Json blobs = Json::object(), beside = Json::object();
-    for (const PagePicture& picture : pictures) {
-      const auto tiles = parts_of(comparison, picture, options_.crops);
-      auto blob = encode_blob(picture.image, tiles);
+    for (const PicturePart& part : parts) {
+      auto blob = encode_blob(*part.picture->image, part.boxes);
       if (!blob) return tl::unexpected(blob.error());
-      blobs[picture.name] = *std::move(blob);
-      beside["pictures"][picture.name] = facts_of(picture, tiles);
+      blobs[part.picture->name] = *std::move(blob);
+      beside["pictures"][part.picture->name] = facts_of(part);
     }
     const auto file = write_page_file(path_, ++file_count_, blobs);
     if (!file) return tl::unexpected(file.error());
     beside["address"] = file->address;
+    beside["path"] = file->path;
     beside["stamp"] = file->stamp;
     pair["beside"] = std::move(beside);
-    return add_crops(comparison, pictures, pair);
+    return {};
   }
 
-  // Whether the small crops have something to show: differences, or small pictures.
-  bool has_small_parts(const Comparison& comparison,
-                       const std::vector<PagePicture>& pictures) const {
-    if (comparison.differences && comparison.differences->differing > 0) return true;
-    return std::all_of(pictures.begin(), pictures.end(), [this](const PagePicture& picture) {
-      return picture.image.pixels() <= options_.small_crops.whole_pixels;
-    });
-  }
-
-  // Adds the surroundings of the worst regions, if there are any and there is room.
-  Result<void> add_crops(const Comparison& comparison, const std::vector<PagePicture>& pictures,
-                         Json& pair) {
-    if (!has_small_parts(comparison, pictures)) return {};
-    if (!takes(comparison, pictures, options_.small_crops, left_for_crops_)) return {};
-    return add_inside(comparison, pictures, options_.small_crops, pair);
-  }
-
-  Result<void> leave_out(const Comparison& comparison, const std::vector<PagePicture>& pictures,
-                         Json& pair) {
+  static void leave_out(const Comparison& comparison, Json& pair) {
     pair["left_out"] =
         "The whole pictures of this pair would make the page too large. With --html-files, they "
         "lie beside the page. This command makes a page of this pair alone:";
     pair["alone_command"] = alone_command(comparison);
-    return add_crops(comparison, pictures, pair);
   }
 
   const std::string& path_;
@@ -244,9 +257,8 @@ Result<Json> pair_data(const Comparison& comparison, bool is_listed_only, PageWr
   return pair;
 }
 
-Result<std::string> make_page(const std::string& path, std::span<const Comparison> comparisons,
+Result<std::string> make_page(PageWriter& writer, std::span<const Comparison> comparisons,
                               const PageOptions& options) {
-  PageWriter writer(path, options);
   Json manifest{{"title", options.title},
                 {"program", options.program},
                 {"command", options.command},
@@ -268,9 +280,15 @@ Result<std::string> make_page(const std::string& path, std::span<const Compariso
 Result<void> write_page(const std::string& path, std::span<const Comparison> comparisons,
                         const PageOptions& options) {
   return unless_out_of_memory([&]() -> Result<void> {
-    const auto page = make_page(path, comparisons, options);
+    if (options.files_beside) {
+      if (auto legal = check_page_files(path, comparisons.size()); !legal) return legal;
+    }
+    PageWriter writer(path, options);
+    const auto page = make_page(writer, comparisons, options);
     if (!page) return tl::unexpected(page.error());
-    return write_file(path, std::as_bytes(std::span(*page)));
+    auto written = write_file(path, std::as_bytes(std::span(*page)));
+    if (written && options.files_beside) remove_later_page_files(path, writer.file_count());
+    return written;
   });
 }
 

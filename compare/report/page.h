@@ -20,21 +20,26 @@ struct PageOptions {
   // The largest size of the samples of all pictures in the page, before compression: a pair of 4096
   // x 4096 RGBA with its heat map fits.
   std::uint64_t max_bytes = std::uint64_t(9) << 24;
-  // What the page has of a pair whose whole pictures are not in it, and the largest size of all
-  // these samples.
+  // What the page has of a pair beyond max_bytes or with a file beside it, and the largest size of
+  // all these samples.
   CropLimits small_crops{.whole_pixels = 2 * 96 * 96, .side = 96, .count = 2};
   std::uint64_t max_crop_bytes = std::uint64_t(1) << 25;
-  // Whether the whole pictures are files in a folder beside the page (page_folder.h), which loads
-  // them when they are looked at. Then max_bytes has no effect.
+  // Whether whole pictures that are not small are files in a folder beside the page
+  // (page_folder.h), which loads them when they are looked at. Then max_bytes has no effect.
   bool files_beside = false;
 };
 
 // Writes the page, completely or not at all. It lists all pairs, the worst first. For pairs that
-// differ it has a thumbnail and the exact samples, until max_bytes are used up; then it has crops
-// around the worst regions, until max_crop_bytes are used up. The page says where that happens, and
-// how to get the whole pictures. For pictures that are the same it has only numbers, unless there
-// is only one pair. The files are read again, one pair after the other. Files beside the page are
-// written before the page.
+// differ it has a thumbnail and the exact samples, until max_bytes are used up; then it has small
+// pictures whole, and crops around the worst regions of the others, until max_crop_bytes are used
+// up. The page says where pictures are not whole, and how to get the whole ones. For pictures that
+// are the same it has only numbers, unless there is only one pair. Files are read again, one pair
+// after the other, unless the comparison kept their pixels.
+//
+// Files beside the page are checked before anything is written, and written before the page; then
+// those that an earlier page of this name had more are removed. With them, only pictures above
+// small_crops.whole_pixels lie in a file, and small ones in the page, as long as max_crop_bytes
+// last.
 Result<void> write_page(const std::string& path, std::span<const Comparison> comparisons,
                         const PageOptions& options = {});
 

@@ -16,8 +16,12 @@ std::string page_folder(const std::string& page);
 // Where the page finds a file, and what the file tells it.
 struct PageFile {
   std::string address;  // relative to the page, percent-encoded
+  std::string path;     // the same for people; not the file's name where that is not printable
   std::string stamp;    // a checksum: the page refuses the file of another page
 };
+
+// An error if write_page_file would refuse to replace one of the files 1 to `count`. Writes nothing.
+Result<void> check_page_files(const std::string& page, std::size_t count);
 
 // Writes the file with this index, completely or not at all. It is a script that calls the page's
 // function `glassboxPictures` with the stamp and `blobs`, which map names to texts in base64: a
@@ -25,5 +29,9 @@ struct PageFile {
 // folder if there is none. An error if there is a file of this name that is not such a script.
 Result<PageFile> write_page_file(const std::string& page, std::size_t index,
                                  const nlohmann::ordered_json& blobs);
+
+// Removes the files of an earlier page of the same name with an index above `last`. Other files,
+// and files that cannot be removed, stay.
+void remove_later_page_files(const std::string& page, std::size_t last);
 
 }  // namespace glassbox

@@ -1,6 +1,8 @@
-// The pictures that a page shows of a comparison. The files are read again for them.
+// The pictures that a page shows of a comparison. Files are read again unless the comparison kept
+// their pixels.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,7 +14,7 @@ namespace glassbox {
 
 struct PagePicture {
   const char* name;  // "reference", "test" or "heat", as the page's script calls it
-  StoredImage image;
+  std::shared_ptr<const StoredImage> image;
   std::optional<PixelBox> place;  // where the picture lies if its pair is on a canvas
 };
 

@@ -166,7 +166,7 @@ const PagePicture* named(std::span<const PagePicture> pictures, std::string_view
 
 Image<Rgba8> page_thumbnail(std::span<const PagePicture> pictures) {
   const PagePicture* test = named(pictures, "test");
-  const StoredImage& shown = (test ? *test : pictures.front()).image;
+  const StoredImage& shown = *(test ? *test : pictures.front()).image;
   const Grid grid = grid_of(shown.width, shown.height);
   Image<Rgba8> thumbnail(grid.columns, grid.rows);
   std::visit(
@@ -180,7 +180,7 @@ Image<Rgba8> page_thumbnail(std::span<const PagePicture> pictures) {
       },
       shown.samples);
   if (const PagePicture* heat = named(pictures, "heat")) {
-    lay_heat_over(thumbnail, heat->image, grid);
+    lay_heat_over(thumbnail, *heat->image, grid);
   }
   return thumbnail;
 }

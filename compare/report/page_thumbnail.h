@@ -12,10 +12,10 @@ inline constexpr int kThumbnailWidth = 96, kThumbnailHeight = 64;  // px, at mos
 
 // Draws the test picture, or the reference if there is no test, not larger than it is. A pixel of
 // the thumbnail stands for a box of the picture: [i W / w, (i + 1) W / w) of W columns if the
-// thumbnail has w, and rows in the same way. It has the mean of the box's samples, in 8 bits, to
-// the nearest: 16 bits as 255/65535 of them, floats from the least finite sample of the picture
-// (0) to the greatest one (255), NaN as 0. What is transparent lies on light grey. The mean is
-// computed with whole numbers.
+// thumbnail has w, and rows in the same way. Each sample is first rounded to 8 bits: 16 bits to
+// the nearest number to 255/65535 of them, floats from the least finite sample of the picture (0)
+// to the greatest one (255), NaN as 0. The pixel has the mean of these numbers, to the nearest,
+// computed with whole numbers. What is transparent lies on light grey.
 //
 // With a heat map, the picture is faded, and the differences lie over it: a pixel has the colour of
 // the largest difference in its box and in the eight boxes around it, so that a single differing

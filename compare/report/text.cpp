@@ -70,7 +70,7 @@ std::string opaque_alpha_text(std::span<const Comparison> comparisons) {
   const std::string who =
       comparisons.size() == 1
           ? fmt::format("the {}", is_test ? "test" : "reference")
-          : fmt::format("one picture of {}", counted(std::size_t(count), "pair"));
+          : fmt::format("in {}, one picture", counted(std::size_t(count), "pair"));
   return fmt::format(
       "{} has an alpha channel that is opaque everywhere, and the other picture has none: this is "
       "no difference (--alpha strict makes it one)",

@@ -155,7 +155,7 @@ TEST_CASE("in directories, opaque alpha channels are said once") {
   }
   const Outcome outcome = here.run("diff old new");
   CHECK(outcome.exit_code == 0);
-  CHECK(outcome.out.find("note: one picture of 3 pairs has an alpha channel that is opaque") == 0);
+  CHECK(outcome.out.find("note: in 3 pairs, one picture has an alpha channel that is opaque") == 0);
   CHECK(contains(outcome.out, "3 pictures: 3 same"));
   CHECK(here.run("diff old new --alpha strict").exit_code == 1);
 }

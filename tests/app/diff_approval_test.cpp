@@ -63,6 +63,36 @@ TEST_CASE("a list approves the pictures that it names") {
   CHECK(many.approved() == Names{"a.png", "menu/c.png"});
 }
 
+TEST_CASE("a list comes from standard input, too, and neither way may be endless") {
+  const ManyPictures many;
+  const auto piped = [&](const std::string& source) {
+    const std::string diff = GLASSBOX_PROGRAM + std::string(" diff ref out --approve-list -");
+    return run_program("/bin/sh", {"-c", source + " | " + diff}, many.here.path());
+  };
+  CHECK(piped("printf 'b.png\\nmenu/a.png\\n'").exit_code == 1);
+  CHECK(many.approved() == Names{"b.png", "menu/a.png"});
+  // 2^26 bytes are the most that is read.
+  const Outcome endless = piped("head -c 67108865 /dev/zero | tr '\\0' '\\n'");
+  CHECK(endless.exit_code == 2);
+  CHECK(contains(endless.err, "standard input: has more than 67108864 bytes"));
+  many.here.write("long.txt", std::string(67'108'865, '\n'));
+  CHECK(contains(many.diff("--approve-list long.txt").err, "has more than 67108864 bytes"));
+}
+
+TEST_CASE("no report replaces the list of what is approved") {
+  const ManyPictures many;
+  many.here.write("list.txt", "a.png\n");
+  for (const char* option : {"--json", "--junit", "--markdown", "--html"}) {
+    INFO(option);
+    const Outcome outcome =
+        many.diff("--approve-list list.txt " + std::string(option) + " ./list.txt");
+    CHECK(outcome.exit_code == 2);
+    CHECK(contains(outcome.err, "would be overwritten"));
+    CHECK(many.here.read("list.txt") == "a.png\n");
+    CHECK(many.approved().empty());
+  }
+}
+
 TEST_CASE("what cannot be approved is named, and the rest is approved") {
   const ManyPictures many;
   many.here.write("out/a.png", "no picture");
@@ -99,7 +129,9 @@ TEST_CASE("a first run without a reference folder says so, and --approve creates
   CHECK(contains(first.out, "the reference folder ref does not exist yet"));
   CHECK(contains(first.out, "4 pictures: 4 new\n"));
   CHECK(!fs::exists(many.here.file("ref")));
-  CHECK(many.diff("--approve").exit_code == 0);
+  const Outcome approved = many.diff("--approve");
+  CHECK(approved.exit_code == 0);
+  CHECK(!contains(approved.out, "does not exist yet"));
   CHECK(many.approved() == many.names);
   const Outcome mistyped = many.here.run("diff ref owt");
   CHECK(mistyped.exit_code == 2);

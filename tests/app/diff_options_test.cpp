@@ -181,7 +181,7 @@ TEST_CASE("an output never takes the place of an input") {
        {"-o a.png", "-o b.png", "-o ./b.png", "-o link.png", "--html a.png", "--json b.png",
         "--junit a.png", "--mask mask.png -o mask.png", "--json a.png.fuzzy"}) {
     INFO(options);
-    check_refused(two.diff(options), {"one of the files to compare"});
+    check_refused(two.diff(options), {"one of the files to read"});
   }
   CHECK(two.here.read("a.png") == a);
   CHECK(two.here.read("b.png") == b);

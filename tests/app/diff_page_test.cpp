@@ -13,13 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Folders ref and out with a picture that differs, one that is the same, and a new one.
+// Folders ref and out with a picture that differs, one that is the same, and a new one, all too
+// large to be whole in a page with files beside it.
 class ThreePairs {
 public:
   ThreePairs() {
     fs::create_directories(here.file("ref"));
     fs::create_directories(here.file("out"));
-    StoredImage image = sample_picture({"", "", 3, Format::kBytes, {}});
+    StoredImage image = sample_picture({"", "", 3, Format::kBytes, {}}, 200, 100);
     for (const char* name : {"ref/changed.png", "ref/same.png", "out/same.png", "out/new.png"}) {
       here.write(name, png_of(image));
     }
@@ -81,6 +82,39 @@ TEST_CASE("the folder beside the page replaces nothing that is not its own") {
   fs::remove_all(three.here.file("page-files"));
   three.here.write("page-files", "a file");
   check_refused_without_page(three, "--html page.html --html-files", "page-files");
+}
+
+TEST_CASE("a file that no page wrote stops everything, and the earlier page stays whole") {
+  const ThreePairs three;
+  REQUIRE(three.diff("--html page.html --html-files").exit_code == 2);
+  const std::string page = three.here.read("page.html");
+  const std::string first = three.here.read("page-files/0001.js");
+  three.here.write("page-files/0002.js", "let own = 1;");
+  StoredImage image = sample_picture({"", "", 3, Format::kBytes, {}}, 200, 100);
+  set_sample(image, 9, 9, 0, sample_at(image, 9, 9, 0) + 1);
+  three.here.write("out/changed.png", png_of(image));
+  const Outcome outcome = three.diff("--html page.html --html-files --json report.json");
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.out.empty());
+  CHECK(contains(outcome.err, "0002.js"));
+  CHECK(three.here.read("page.html") == page);
+  CHECK(three.here.read("page-files/0001.js") == first);
+  CHECK(three.here.read("page-files/0002.js") == "let own = 1;");
+  CHECK(!fs::exists(three.here.file("report.json")));
+}
+
+TEST_CASE("no other report has the name of the folder beside the page, or lies in it") {
+  const ThreePairs three;
+  for (const char* option : {"--json", "--junit", "--markdown"}) {
+    check_refused_without_page(
+        three, "--html page.html --html-files " + std::string(option) + " page-files",
+        "page-files: two outputs would go to this file");
+    CHECK(!fs::exists(three.here.file("page-files")));
+  }
+  fs::create_directory(three.here.file("page-files"));
+  check_refused_without_page(three, "--html page.html --html-files --json page-files/0001.js",
+                             "lies in the folder of the page's pictures");
+  CHECK(three.files_in("page-files").empty());
 }
 
 TEST_CASE("the folder beside the page is not a folder that is compared") {

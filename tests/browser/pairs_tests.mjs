@@ -1,8 +1,9 @@
 // A page of many pairs: the list and what it is asked for, the address, approval, files beside the page, and boxes.
 import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import {namelessControls, openPage, press, readout, settled} from "./browser.mjs";
-import {colours, copyWith, file, makePage, openPair, test, write, writeFolder} from "./cases.mjs";
+import {colours, copyWith, file, makePage, openPair, program, test, write, writeFolder} from "./cases.mjs";
 import {encodePng, makePicture} from "./pictures.mjs";
 
 const namesIn = (page) => page.locator(".pair-name").allTextContents();
@@ -11,11 +12,15 @@ const pairsOf = async (page) => JSON.parse(await page.locator("#manifest").textC
 
 // Pictures 1 to 12: each differs in as many pixels as its number, by 20 less its number. 13 is new, 14 and 15 are the same.
 function writeNumbers(name, ...options) {
+  return writeNumbersOn(colours, name, ...options);
+}
+
+function writeNumbersOn(ground, name, ...options) {
   fs.rmSync(file(name), {recursive: true, force: true});
   for (let i = 1; i <= 15; i++) {
-    const changes = Array.from({length: i}, (_, k) => [k, 3 * k, [12 * k, (colours.samples[(3 * k * 60 + k) * 3 + 1] + 20 - i) & 255]]);
-    if (i !== 13) write(`${name}/reference/view ${i}.png`, encodePng(copyWith(colours, changes.map(([x, y]) => [x, y, [0, 0, 0]]))));
-    const made = copyWith(colours, changes.map(([x, y]) => [x, y, [0, i < 13 ? 20 - i : 0, 0]]));
+    const changes = Array.from({length: i}, (_, k) => [k, 3 * k]);
+    if (i !== 13) write(`${name}/reference/view ${i}.png`, encodePng(copyWith(ground, changes.map(([x, y]) => [x, y, [0, 0, 0]]))));
+    const made = copyWith(ground, changes.map(([x, y]) => [x, y, [0, i < 13 ? 20 - i : 0, 0]]));
     write(`${name}/test/view ${i}.png`, encodePng(made));
   }
   return makePage(`${name}/page.html`, `${name}/reference`, `${name}/test`, ...options);
@@ -102,6 +107,38 @@ test("the address has the pair and the list's state: it leads there, and Back go
   return {problems, close};
 });
 
+test("a link leads to a pair whose name the address cannot have", async () => {
+  fs.rmSync(file("bytes"), {recursive: true, force: true});
+  // Names that are not UTF-8: the page shows both as the same text.
+  const named = (folder, byte) => Buffer.concat([Buffer.from(`${file("bytes", folder)}/`), Buffer.from([byte]), Buffer.from(".png")]);
+  for (const [byte, number] of [[0xfe, 3], [0xff, 5]]) {
+    const changes = Array.from({length: number}, (_, x) => [7 * x, 7, [0, 0, 0]]);
+    for (const folder of ["reference", "test"]) fs.mkdirSync(file("bytes", folder), {recursive: true});
+    fs.writeFileSync(named("reference", byte), encodePng(colours));
+    fs.writeFileSync(named("test", byte), encodePng(copyWith(colours, changes)));
+  }
+  const made = makePage("bytes/page.html", "bytes/reference", "bytes/test");
+  const {page, problems, close} = await openPage(made);
+  const pairs = await pairsOf(page);
+  assert.equal(pairs[0].name, pairs[1].name);
+  await press(page, "j");
+  const note = await page.textContent("#regions-note"), hash = await page.evaluate(() => location.hash);
+  const other = await openPage(made, {}, hash);
+  assert.equal(await other.page.textContent("#regions-note"), note);
+  assert.deepEqual(other.problems, []);
+  await other.close();
+  await page.goBack();
+  await settled(page);
+  assert.notEqual(await page.textContent("#regions-note"), note);
+  for (const nonsense of ["#at=length", "#at=2", "#at=-1", "#at=", "#at=__proto__"]) {
+    const strange = await openPage(made, {}, nonsense);
+    assert.equal(await strange.page.textContent("#place"), "1 of 2", nonsense);
+    assert.deepEqual(strange.problems, []);
+    await strange.close();
+  }
+  return {problems, close};
+});
+
 async function saved(page) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("#approved-save")]);
   assert.equal(download.suggestedFilename(), "approved.txt");
@@ -158,8 +195,25 @@ test("the list of approved pairs has each name as it is, and no name that it can
   return {problems, close};
 });
 
+test("the command without a file has each name as it is, with the blanks at its end", async () => {
+  fs.rmSync(file("blanks"), {recursive: true, force: true});
+  for (const name of ["a.png", "last  "]) {
+    write(`blanks/reference/${name}`, encodePng(colours));
+    write(`blanks/test/${name}`, encodePng(copyWith(colours, [[3, 3, [0, 0, 0]]])));
+  }
+  const {page, problems, close} = await openPage(makePage("blanks/page.html", "blanks/reference", "blanks/test"));
+  await page.click("#approve-all");
+  assert.equal(await saved(page), "# glassbox diff --approve-list\na.png\nlast  \n");
+  const commands = await page.locator("#approved-commands code").allTextContents();
+  assert.ok(commands[1].startsWith("printf '%s\\n' '# glassbox diff --approve-list' a.png 'last  ' | "), commands[1]);
+  return {problems, close};
+});
+
+// A picture that is too large to be whole in a page with files beside it.
+const large = makePicture(200, 100, 3, 8, (x, y) => [x, y, (x * 37 + y * 91) & 255]);
+
 test("pictures beside the page are loaded when they are looked at, sample by sample", async () => {
-  const made = writeNumbers("beside", "--html-files");
+  const made = writeNumbersOn(large, "beside", "--html-files");
   const requests = [];
   const {page, problems, close} = await openPage(made, {}, "", null, (each) => each.on("request", (request) => requests.push(request.url())));
   const loaded = () => requests.filter((url) => url.endsWith(".js")).length;
@@ -175,12 +229,49 @@ test("pictures beside the page are loaded when they are looked at, sample by sam
   return {problems, close};
 });
 
+test("a page is loaded from files beside it whatever its name, and says what is missing", async () => {
+  fs.rmSync(file("strange"), {recursive: true, force: true});
+  write("strange/reference.png", encodePng(large));
+  write("strange/test.png", encodePng(copyWith(large, [[3, 3, [90, 90, 90]]])));
+  // Node cannot pass a name that is not UTF-8 to a program.
+  const names = {"p\\377": "p?-files/0001.js", "100%%": "100%-files/0001.js", "a b#?": "a b#?-files/0001.js"};
+  for (const [name, path] of Object.entries(names)) {
+    const script = `page=$(printf '${name}.html'); "$0" diff reference.png test.png --html "$page" --html-files; cp "$page" copy.html`;
+    execFileSync("sh", ["-c", script, program], {cwd: file("strange"), stdio: "pipe"});
+    const whole = await openPage(file("strange/copy.html"));
+    assert.equal(await whole.page.locator("#cropped").isHidden(), true, name);
+    await press(whole.page, "n");
+    assert.equal((await readout(whole.page)).test, "R 90  G 90  B 90", name);
+    await whole.close();
+    execFileSync("sh", ["-c", "rm -r *-files"], {cwd: file("strange")});
+    const lost = await openPage(file("strange/copy.html"));
+    assert.ok((await lost.page.textContent("#cropped")).includes(`There is no file ${path} beside this page.`), name);
+    await lost.close();
+  }
+});
+
+test("where the page has a part of a picture, it says so, along whichever side that is", async () => {
+  for (const [width, height] of [[60, 400], [400, 60], [200, 200]]) {
+    const name = `part ${width}`, ground = makePicture(width, height, 3, 8, (x, y) => [x & 255, y & 255, 9]);
+    fs.rmSync(file(name), {recursive: true, force: true});
+    write(`${name}/reference.png`, encodePng(ground));
+    write(`${name}/test.png`, encodePng(copyWith(ground, [[width >> 1, height >> 1, [0, 0, 0]]])));
+    const made = makePage(`${name}/page.html`, `${name}/reference.png`, `${name}/test.png`, "--html-files");
+    fs.rmSync(file(name, "page-files"), {recursive: true});
+    const {page, close} = await openPage(made);
+    assert.match(await page.textContent("#cropped"), /^Here is what surrounds the worst differences\. There is no file/, name);
+    const {x, y} = await readout(page);
+    assert.deepEqual([x, y], [width >> 1, height >> 1], "it opens at the worst region");
+    await close();
+  }
+});
+
 test("without its files the page shows the crops that it has, and says what is missing", async () => {
-  const large = makePicture(300, 260, 3, 8, (x, y) => [x & 255, y & 255, 9]);
+  const ground = makePicture(300, 260, 3, 8, (x, y) => [x & 255, y & 255, 9]);
   fs.rmSync(file("lost"), {recursive: true, force: true});
   for (const name of ["a.png", "b.png"]) {
-    write(`lost/reference/${name}`, encodePng(large));
-    write(`lost/test/${name}`, encodePng(copyWith(large, [[200, 100, [0, 0, 0]]])));
+    write(`lost/reference/${name}`, encodePng(ground));
+    write(`lost/test/${name}`, encodePng(copyWith(ground, [[200, 100, [0, 0, 0]]])));
   }
   const made = makePage("lost/page.html", "lost/reference", "lost/test", "--html-files");
   fs.copyFileSync(file("lost/page-files/0001.js"), file("lost/page-files/0002.js"));
@@ -295,6 +386,17 @@ test("thousands of scattered pixels have few boxes, and at the largest zoom each
   return {problems, close};
 });
 
+test("a picture has no more boxes than the page can draw, and says how far apart pixels are that share one", async () => {
+  const ground = makePicture(1600, 1600, 1, 8, () => [90]);
+  const isolated = Array.from({length: 320 * 320}, (_, i) => [5 * (i % 320), 5 * Math.floor(i / 320), [120]]);
+  const {page, problems, close} = await openPair("isolated", ground, copyWith(ground, isolated));
+  for (let i = 0; i < 20; i++) await press(page, "+");
+  // With squares of 4 px, 4 x 4 of these pixels lie in squares that touch.
+  assert.deepEqual(await boxes(page), {number: 80 * 80, reach: 4});
+  assert.equal((await pairsOf(page))[0].differences.region_count, 320 * 320);
+  return {problems, close};
+});
+
 test("two pixels have one box where they are near on the screen, and two where they are far", async () => {
   const ground = makePicture(1000, 600, 1, 8, () => [90]);
   const {page, problems, close} = await openPair("two", ground, copyWith(ground, [[100, 100, [0]], [140, 100, [0]], [900, 500, [0]]]));
@@ -315,7 +417,16 @@ test("edges that moved and what is below the threshold are counted apart, with t
   assert.match(lines[1], /^1 pixel below the threshold, by up to 3\/255/);
   assert.ok(await page.locator("#moved-edge").isVisible());
   assert.ok(await page.locator("#below-threshold").isVisible());
-  return {problems, close};
+  const [below, moved] = JSON.parse(await page.locator("#manifest").textContent()).heat_colours.slice(252, 254);
+  assert.deepEqual(problems, []);
+  await close();
+
+  // The squares have the colours of the heat map, whatever these are.
+  write("aside/other.html", fs.readFileSync(file("aside/page.html"), "utf8").replace(moved, "#123456").replace(below, "#654321"));
+  const other = await openPage(file("aside/other.html"));
+  const drawn = await other.page.locator(".swatch").evaluateAll((all) => all.map((each) => getComputedStyle(each).backgroundColor));
+  assert.deepEqual(new Set(drawn), new Set(["rgb(18, 52, 86)", "rgb(101, 67, 33)"]));
+  return other;
 });
 
 test("in a narrow window, choosing a pair or a region does not scroll the page away from the pictures", async () => {

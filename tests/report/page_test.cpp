@@ -8,8 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <glassbox/compare/pictures/prepared_pair.h>
 #include <glassbox/compare/pixels/heat_map.h>
 #include <glassbox/compare/report/page.h>
+#include <glassbox/compare/report/page_pictures.h>
 #include <glassbox/images/write.h>
 
 #include "tests/images/temporary_directory.h"
@@ -274,7 +276,7 @@ TEST_CASE(
   CHECK(std::count(samples.begin(), samples.end(), std::uint8_t(115)) == 1);
 }
 
-TEST_CASE("of pairs beyond the page's limit it has small crops, up to their own limit",
+TEST_CASE("a page has small crops of the pairs beyond its limit, up to the crops' own limit",
           "[report]") {
   const TemporaryDirectory directory;
   const std::vector<Comparison> comparisons = {pair_of(directory, "b.png", 2, 300, 200),
@@ -282,18 +284,94 @@ TEST_CASE("of pairs beyond the page's limit it has small crops, up to their own 
   PageOptions options;
   options.max_bytes = 0;
   options.small_crops = {.whole_pixels = 100, .side = 20, .count = 2};
-  options.max_crop_bytes = 12 * 20 * 20;  // a crop at (3, 2) is at most 20 x 20, with 7 bytes each
+  options.max_crop_bytes = 7 * 13 * 12;  // of one crop: RGB twice, and the heat map
   const Page page = page_of(directory, comparisons, options);
   const Json& worst = page.manifest["pairs"][0];
   CHECK(worst.contains("left_out"));
   const auto tiles = tiles_of(worst["pictures"]["test"]);
   REQUIRE(tiles.size() == 1);
-  CHECK(tiles[0].width <= 20);
+  CHECK(tiles[0] == PixelBox{0, 0, 13, 12});  // 20 x 20 around (3, 2), as far as there are pixels
   const auto samples = bytes_of(page, worst["pictures"]["test"]);
   const int at = ((2 - tiles[0].y) * tiles[0].width + (3 - tiles[0].x)) * 3;
   CHECK(samples[std::size_t(at) + 1] == 113);
-  const bool has_room = 2 * 7 * tiles[0].width * tiles[0].height <= 12 * 20 * 20;
-  CHECK(page.manifest["pairs"][1].contains("pictures") == has_room);
+  CHECK(!page.manifest["pairs"][1].contains("pictures"));
+  CHECK(page.manifest["pairs"][1].contains("left_out"));
+  options.max_crop_bytes *= 2;
+  CHECK(page_of(directory, comparisons, options).manifest["pairs"][1].contains("pictures"));
+}
+
+TEST_CASE("small pictures beyond the page's limit are whole, and nothing is said to be left out",
+          "[report]") {
+  const TemporaryDirectory directory;
+  const Comparison canvas = compare_files(pair_of(directory, "tall.png", 1, 10, 30).reference.path,
+                                          pair_of(directory, "wide.png", 1, 20, 20).test.path);
+  const std::vector<Comparison> comparisons = {pair_of(directory, "a.png", 2, 24, 25), canvas};
+  for (const bool files_beside : {false, true}) {
+    PageOptions options;
+    options.max_bytes = 0;
+    options.files_beside = files_beside;
+    options.small_crops = {.whole_pixels = 600, .side = 20, .count = 2};
+    const Page page = page_of(directory, comparisons, options);
+    for (const Json& pair : page.manifest["pairs"]) {
+      INFO(pair["name"]);
+      REQUIRE(pair.contains("pictures"));
+      CHECK(!pair.contains("left_out"));
+      CHECK(!pair.contains("beside"));
+      for (const Json& picture : pair["pictures"]) CHECK(tiles_of(picture).size() == 1);
+    }
+    CHECK(!std::filesystem::exists(directory.file("page-files")));
+    // Without room for them in the page, they are as other pictures.
+    options.max_crop_bytes = 0;
+    const Page full = page_of(directory, comparisons, options);
+    for (const Json& pair : full.manifest["pairs"]) {
+      CHECK(!pair.contains("pictures"));
+      CHECK(pair.contains(files_beside ? "beside" : "left_out"));
+    }
+    std::filesystem::remove_all(directory.file("page-files"));
+  }
+}
+
+TEST_CASE("a page shows the pixels that a comparison kept, without a copy of them", "[report]") {
+  const TemporaryDirectory directory;
+  const Comparison comparison = pair_of(directory, "a.png", 2);
+  CompareOptions options;
+  options.keep_pixels = true;
+  const Comparison kept = compare_files(comparison.reference.path, comparison.test.path, options);
+  REQUIRE(kept.pixels);
+  const std::vector<PagePicture> pictures = page_pictures(kept);
+  REQUIRE(pictures.size() == 3);
+  CHECK(pictures[0].image.get() == &kept.pixels->reference);
+  CHECK(pictures[1].image.get() == &kept.pixels->test);
+}
+
+TEST_CASE("a file that no page wrote is found before anything is written", "[report]") {
+  const TemporaryDirectory directory;
+  PageOptions options;
+  options.files_beside = true;
+  options.small_crops = {.whole_pixels = 100, .side = 20, .count = 2};
+  const std::vector<Comparison> comparisons = {pair_of(directory, "b.png", 2, 300, 200),
+                                               pair_of(directory, "a.png", 3, 300, 200)};
+  std::filesystem::create_directory(directory.file("page-files"));
+  std::ofstream(directory.file("page-files/0002.js")) << "let own = 1;";
+  REQUIRE(!write_page(directory.file("page.html"), comparisons, options));
+  CHECK(!std::filesystem::exists(directory.file("page-files/0001.js")));
+  CHECK(!std::filesystem::exists(directory.file("page.html")));
+  CHECK(text_of(directory.file("page-files/0002.js")) == "let own = 1;");
+}
+
+TEST_CASE("a page with fewer pairs leaves no pictures of the others beside it", "[report]") {
+  const TemporaryDirectory directory;
+  PageOptions options;
+  options.files_beside = true;
+  options.small_crops = {.whole_pixels = 100, .side = 20, .count = 2};
+  std::vector<Comparison> comparisons = {pair_of(directory, "b.png", 2, 300, 200),
+                                         pair_of(directory, "a.png", 3, 300, 200)};
+  page_of(directory, comparisons, options);
+  CHECK(std::filesystem::exists(directory.file("page-files/0002.js")));
+  comparisons.pop_back();
+  page_of(directory, comparisons, options);
+  CHECK(std::filesystem::exists(directory.file("page-files/0001.js")));
+  CHECK(!std::filesystem::exists(directory.file("page-files/0002.js")));
 }
 
 TEST_CASE("a page has no crop of a new picture, which would be any corner of it", "[report]") {
@@ -327,6 +405,7 @@ TEST_CASE("with files beside it, the page has addresses, and the files have the 
     const Json& pair = page.manifest["pairs"][i];
     const Json& beside = pair["beside"];
     CHECK(beside["address"] == "page-files/000" + std::to_string(i + 1) + ".js");
+    CHECK(beside["path"] == beside["address"]);
     CHECK(tiles_of(pair["pictures"]["test"])[0].width <= 20);
     const std::string file = text_of(directory.file(beside["address"].get<std::string>()));
     const auto comma = file.find(',');

@@ -3,6 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <glassbox/base/random.h>
@@ -14,11 +17,46 @@
 namespace glassbox {
 namespace {
 
+// The samples as the numbers from 0 to 255 that the header gives them.
+std::vector<std::uint64_t> levels_of(const StoredImage& image) {
+  std::vector<std::uint64_t> levels;
+  const auto add = [&](double share) { levels.push_back(std::uint64_t(share * 255 + 0.5)); };
+  if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&image.samples)) {
+    levels.assign(bytes->begin(), bytes->end());
+  } else if (const auto* shorts = std::get_if<std::vector<std::uint16_t>>(&image.samples)) {
+    for (const std::uint16_t sample : *shorts) add(sample / 65535.0);
+  } else {
+    const auto& floats = std::get<std::vector<float>>(image.samples);
+    const auto [low, high] = std::minmax_element(floats.begin(), floats.end());
+    for (const float sample : floats) {
+      add(*low < *high ? (double(sample) - *low) / (double(*high) - *low) : 0);
+    }
+  }
+  return levels;
+}
+
 StoredImage random_bytes(Random& random, int width, int height, int channels) {
   StoredImage image{width, height, channels, {}};
   std::vector<std::uint8_t> samples(image.pixels() * std::size_t(channels));
   for (std::uint8_t& sample : samples) sample = std::uint8_t(random.bits());
   image.samples = std::move(samples);
+  return image;
+}
+
+// A picture of 16 bits (`bits` is 16) or of floats (32).
+StoredImage random_samples(Random& random, int width, int height, int channels, int bits) {
+  if (bits == 8) return random_bytes(random, width, height, channels);
+  StoredImage image{width, height, channels, {}};
+  const std::size_t count = image.pixels() * std::size_t(channels);
+  std::vector<std::uint16_t> shorts(count);
+  for (std::uint16_t& sample : shorts) sample = std::uint16_t(random.bits());
+  if (bits == 16) {
+    image.samples = std::move(shorts);
+  } else {
+    std::vector<float> floats;
+    for (const std::uint16_t sample : shorts) floats.push_back(float(sample) / 1000 - 20);
+    image.samples = std::move(floats);
+  }
   return image;
 }
 
@@ -31,9 +69,12 @@ StoredImage heat_with(int width, int height,
   return heat;
 }
 
+PagePicture picture(const char* name, StoredImage image) {
+  return {name, std::make_shared<const StoredImage>(std::move(image)), {}};
+}
+
 Image<Rgba8> thumbnail_of(StoredImage test) {
-  const std::vector<PagePicture> pictures{{"test", std::move(test), {}}};
-  return page_thumbnail(pictures);
+  return page_thumbnail(std::vector{picture("test", std::move(test))});
 }
 
 // Whether |mean - sum / count| <= 1/2, in whole numbers.
@@ -50,13 +91,16 @@ std::size_t pixels_of_colour(const Image<Rgba8>& image, const Rgba8& colour) {
 
 TEST_CASE("each pixel of a thumbnail is the nearest value to the mean of its box", "[report]") {
   Random random(11);
-  for (int i = 0; i < 60; ++i) {
-    const int width = int(random.integer(1, 400)), height = int(random.integer(1, 300));
+  for (int i = 0; i < 90; ++i) {
+    const int width = int(random.integer(1, 400));
+    const int height = int(random.integer(1, 300));
     const int channels = random.integer(0, 1) == 0 ? 1 : 3;
-    const StoredImage image = random_bytes(random, width, height, channels);
-    const auto& samples = std::get<std::vector<std::uint8_t>>(image.samples);
+    const int bits = 8 << (i % 3);
+    const StoredImage image = random_samples(random, width, height, channels, bits);
+    const std::vector<std::uint64_t> samples = levels_of(image);
     const Image<Rgba8> thumbnail = thumbnail_of(image);
-    INFO("case " << i << ": " << width << " x " << height << ", " << channels << " channels");
+    INFO("case " << i << ": " << width << " x " << height << ", " << channels << " channels of "
+                 << bits << " bits");
     REQUIRE(thumbnail.width >= 1);
     REQUIRE(thumbnail.height >= 1);
     REQUIRE(thumbnail.width <= std::min(width, kThumbnailWidth));
@@ -125,8 +169,8 @@ TEST_CASE("a single differing pixel of a large picture is nine pixels of its thu
     const int x = int(random.integer(20, width - 21)), y = int(random.integer(20, height - 21));
     const auto level = std::uint8_t(random.integer(1, kHeatBelowThreshold - 1));
     std::vector<PagePicture> pictures;
-    pictures.push_back({"test", random_bytes(random, width, height, 3), {}});
-    pictures.push_back({"heat", heat_with(width, height, {{{x, y}, level}}), {}});
+    pictures.push_back(picture("test", random_bytes(random, width, height, 3)));
+    pictures.push_back(picture("heat", heat_with(width, height, {{{x, y}, level}})));
     INFO(width << " x " << height << ", pixel " << x << ", " << y);
     REQUIRE(pixels_of_colour(page_thumbnail(pictures), heat_colours()[level]) >= 9);
   }
@@ -138,11 +182,12 @@ TEST_CASE("where everything differs, the thumbnail still shows the picture", "[r
   for (int x = 0; x < 40; ++x) all.push_back({{x, 0}, kLevel});
   std::vector<PagePicture> pictures;
   Random random(15);
-  pictures.push_back({"test", random_bytes(random, 40, 1, 1), {}});
-  pictures.push_back({"heat", heat_with(40, 1, all), {}});
+  pictures.push_back(picture("test", random_bytes(random, 40, 1, 1)));
+  pictures.push_back(picture("heat", heat_with(40, 1, all)));
   const Image<Rgba8> thumbnail = page_thumbnail(pictures);
   for (int x = 0; x < 40; ++x) {
-    const int grey = std::get<std::vector<std::uint8_t>>(pictures[0].image.samples)[std::size_t(x)];
+    const int grey =
+        std::get<std::vector<std::uint8_t>>(pictures[0].image->samples)[std::size_t(x)];
     CHECK(thumbnail.at(x, 0).g == (grey + heat_colours()[kLevel].g) / 2);
   }
 }
@@ -150,14 +195,12 @@ TEST_CASE("where everything differs, the thumbnail still shows the picture", "[r
 TEST_CASE("what is set aside covers only its own box, and no difference", "[report]") {
   std::vector<PagePicture> pictures;
   Random random(14);
-  pictures.push_back({"test", random_bytes(random, 20, 20, 3), {}});
-  pictures.push_back({"heat",
-                      heat_with(20, 20,
-                                {{{3, 3}, kHeatMovedEdge},
-                                 {{10, 10}, kHeatBelowThreshold},
-                                 {{11, 10}, std::uint8_t(9)},
-                                 {{15, 15}, kHeatNotCompared}}),
-                      {}});
+  pictures.push_back(picture("test", random_bytes(random, 20, 20, 3)));
+  pictures.push_back(picture("heat", heat_with(20, 20,
+                                               {{{3, 3}, kHeatMovedEdge},
+                                                {{10, 10}, kHeatBelowThreshold},
+                                                {{11, 10}, std::uint8_t(9)},
+                                                {{15, 15}, kHeatNotCompared}})));
   const Image<Rgba8> thumbnail = page_thumbnail(pictures);
   CHECK(pixels_of_colour(thumbnail, heat_colours()[kHeatMovedEdge]) == 1);
   CHECK(pixels_of_colour(thumbnail, heat_colours()[kHeatBelowThreshold]) == 0);

@@ -1,12 +1,15 @@
 // The page's address has the open pair and what is asked of the list: #show=different,new&name=TEXT&sort=name&pair=NAME.
-// Parts that are as at the beginning are not in it.
+// Parts that are as at the beginning are not in it. Two names that are not UTF-8 may look the same: a pair that no list of
+// names can have is at=INDEX, its index in the manifest.
 
 function addressOf(pair) {
   const parts = new URLSearchParams();
   if (wanted.show.size < verdicts.length) parts.set("show", [...wanted.show].join());
   if (wanted.text) parts.set("name", wanted.text);
   if (wanted.sort !== "worst") parts.set("sort", wanted.sort);
-  if (pair !== manifest.pairs[0] || parts.size) parts.set("pair", pair.name);
+  if (pair === manifest.pairs[0] && !parts.size) return "#";
+  if (pair.not_listed) parts.set("at", manifest.pairs.indexOf(pair));
+  else parts.set("pair", pair.name);
   return `#${parts}`;
 }
 
@@ -35,7 +38,7 @@ function followAddress() {
   wanted.text = parts.get("name") ?? "";
   wanted.sort = Object.hasOwn(orders, parts.get("sort") ?? "") ? parts.get("sort") : "worst";
   showList();
-  const pair = manifest.pairs.find(({name}) => name === parts.get("pair")) ??
+  const pair = manifest.pairs.find(({name}, index) => name === parts.get("pair") || String(index) === parts.get("at")) ??
     (parts.has("show") || parts.has("name") || parts.has("sort") ? listed[0] : null) ?? manifest.pairs[0];
   if (pair !== state.facts) openPair(pair);
 }

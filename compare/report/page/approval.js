@@ -27,7 +27,7 @@ function toggleApproval() {
   if (!byId("approve-label").hidden) approve([state.facts], !approved.has(state.facts));
 }
 
-// The box of the open pair, and the list of all that are chosen.
+// The box of the open pair, and the list of all that are approved.
 function showApproval() {
   const pair = state.facts, offered = manifest.command && mayBeApproved(pair);
   byId("approve-label").hidden = !offered;
@@ -36,8 +36,8 @@ function showApproval() {
   byId("why-not-listed").textContent = offered && pair.not_listed
     ? `It cannot be approved here. ${pair.not_listed} Approve it alone: glassbox diff REFERENCE TEST --approve.` : "";
   byId("approval").hidden = !manifest.command || !manifest.pairs.some(mayBeApproved);
-  byId("approved-count").textContent = approved.size ? `${count(approved.size, "pair")} chosen:` :
-    "No pair is chosen. Choose a pair with the key A or with its box, when its test picture is right.";
+  byId("approved-count").textContent = approved.size ? `${count(approved.size, "pair")} approved:` :
+    "No pair is approved. Approve a pair with the key A or with its box, when its test picture is right.";
   byId("approved-part").hidden = !approved.size;
   if (!approved.size) return;
   byId("approved-names").textContent = [...approved].map(({name}) => name).sort(naturally).map(listLine).join("\n");
@@ -56,7 +56,7 @@ const isPlain = (word) => !/[\p{Cc}\p{Cf}\p{Zl}\p{Zp}]/u.test(word);
 const longestCommand = 400; // characters that are still easy to read
 
 function approvalCommands() {
-  const lines = approvedText().trimEnd().split("\n");
+  const lines = approvedText().slice(0, -1).split("\n");
   const short = `printf '%s\\n' ${lines.map(shellQuoted).join(" ")} | ${manifest.command} --approve-list -`;
   const file = [element("p", {}, "After you have saved the list:"), command(`${manifest.command} --approve-list approved.txt`)];
   const isShort = short.length <= longestCommand && lines.every(isPlain);

@@ -2,10 +2,11 @@
 // visible under the boxes, however many pixels differ.
 
 const boxesApart = 16; // CSS pixels that boxes have between them, unless each box is a region
+const mostBoxes = 20_000; // with more, the page would not follow the mouse
 
 const isDifference = (level) => level !== 0 && (level < belowThreshold || level === hottest);
 
-// How far apart in px, along both axes, differing pixels surely share a box: a power of two, and 1 where each box is a
+// How far apart in px, along both axes, differing pixels should share a box: a power of two, and 1 where each box is a
 // region. Nothing is further apart than the picture is large.
 function reachAt(scale) {
   const largest = Math.max(state.pair.width, state.pair.height);
@@ -14,46 +15,90 @@ function reachAt(scale) {
   return reach;
 }
 
-// The boxes for a reach. The picture is divided into cells of reach x reach px. Cells with differing pixels that touch each
-// other make a box, and it is drawn around their differing pixels. Boxes that overlap become one, unless they are regions.
+// The boxes for a reach, {reach, boxes}; those for a larger one where there would be too many. The picture is divided into
+// cells of reach x reach px. Cells with differing pixels that touch each other make a box, and it is drawn around their
+// differing pixels. Boxes that overlap become one, unless they are regions.
 function boxesOf(heat, reach) {
   heat.boxes ??= new Map();
   if (!heat.boxes.has(reach)) {
-    const boxes = heat.tiles.flatMap((tile) => boxesOfTile(tile, reach));
-    heat.boxes.set(reach, reach > 1 ? withoutOverlaps(boxes) : boxes);
+    const boxes = boxesOfTiles(heat.tiles, reach);
+    heat.boxes.set(reach, boxes ? {reach, boxes: reach > 1 ? withoutOverlaps(boxes) : boxes} : boxesOf(heat, 2 * reach));
   }
   return heat.boxes.get(reach);
 }
 
-function boxesOfTile(tile, reach) {
-  const {width, height, levels} = tile.halvings[Math.min(Math.log2(reach), tile.halvings.length - 1)];
-  const seen = new Uint8Array(width * height), boxes = [];
-  for (let at = 0; at < levels.length; at++) {
-    if (!seen[at] && isDifference(levels[at])) boxes.push(tightened(tile, cellsFrom(at, width, height, levels, seen), reach));
+// Null if there are more than the most boxes. A tile is one cell at last, and there are few tiles.
+function boxesOfTiles(tiles, reach) {
+  const boxes = [];
+  for (const tile of tiles) {
+    const cells = connectedCells(tile.halvings[Math.min(Math.log2(reach), tile.halvings.length - 1)], mostBoxes - boxes.length);
+    if (!cells) return null;
+    for (const box of cells) boxes.push(tightened(tile, box, reach));
   }
   return boxes;
 }
 
-// The box of the cells that hang together with one of them; marks them as seen.
-function cellsFrom(start, width, height, levels, seen) {
-  const box = {left: width, top: height, right: 0, bottom: 0}, open = [start];
-  seen[start] = 1;
-  while (open.length) {
-    const at = open.pop(), x = at % width, y = (at - x) / width;
-    box.left = Math.min(box.left, x);
-    box.top = Math.min(box.top, y);
-    box.right = Math.max(box.right, x + 1);
-    box.bottom = Math.max(box.bottom, y + 1);
-    for (let row = Math.max(y - 1, 0); row <= Math.min(y + 1, height - 1); row++) {
-      for (let column = Math.max(x - 1, 0); column <= Math.min(x + 1, width - 1); column++) {
-        const next = row * width + column;
-        if (seen[next] || !isDifference(levels[next])) continue;
-        seen[next] = 1;
-        open.push(next);
+// The boxes around connected cells: runs of cells in a row are joined to those that they touch in the row above (Rosenfeld
+// and Pfaltz 1966). Null as soon as there are surely more than `most`: each box that may still be joined to another one has
+// a run in this row.
+function connectedCells({width, height, levels}, most) {
+  const boxes = [];
+  let number = 0, above = [];
+  for (let y = 0; y < height; y++) {
+    const row = runsIn(levels, y * width, width);
+    let first = 0;
+    for (const run of row) {
+      while (first < above.length && above[first].to < run.from) first++;
+      for (let i = first; i < above.length && above[i].from <= run.to; i++) {
+        const box = lastOf(above[i].box);
+        run.box ??= box;
+        if (box === run.box) continue;
+        joinInto(run.box, box);
+        number--;
       }
+      if (!run.box) {
+        boxes.push(run.box = {left: run.from, top: y, right: run.to, bottom: y + 1, into: null});
+        number++;
+      }
+      grow(run.box, run.from, y, run.to, y + 1);
     }
+    if (number - row.length > most) return null;
+    above = row;
+  }
+  return number > most ? null : boxes.filter(({into}) => !into);
+}
+
+// The runs [from, to) of differing cells in a row.
+function runsIn(levels, start, width) {
+  const runs = [];
+  for (let x = 0; x < width; x++) {
+    if (!isDifference(levels[start + x])) continue;
+    const from = x;
+    while (x < width && isDifference(levels[start + x])) x++;
+    runs.push({from, to: x, box: null});
+  }
+  return runs;
+}
+
+// The box that a box has been joined into, by whatever way.
+function lastOf(box) {
+  while (box.into) {
+    box.into = box.into.into ?? box.into;
+    box = box.into;
   }
   return box;
+}
+
+function joinInto(box, other) {
+  grow(box, other.left, other.top, other.right, other.bottom);
+  other.into = box;
+}
+
+function grow(box, left, top, right, bottom) {
+  box.left = Math.min(box.left, left);
+  box.top = Math.min(box.top, top);
+  box.right = Math.max(box.right, right);
+  box.bottom = Math.max(box.bottom, bottom);
 }
 
 // A box of cells in px of the picture, without empty rows and columns at its sides.
@@ -96,11 +141,11 @@ function withoutOverlaps(boxes) {
   return boxes;
 }
 
-// The boxes at this zoom; none where the pictures were not compared.
-const shownBoxes = () => (state.pair?.heat ? boxesOf(state.pair.heat, reachAt(view.scale)) : []);
+// The boxes at this zoom, and their reach; none where the pictures were not compared.
+const shownBoxes = () => (state.pair?.heat ? boxesOf(state.pair.heat, reachAt(view.scale)) : {reach: 1, boxes: []});
 
 function boxesText() {
-  const {length} = shownBoxes(), reach = reachAt(view.scale);
+  const {reach, boxes: {length}} = shownBoxes();
   if (!length) return "";
   const where = `${length === 1 ? "1 box" : `${numberText(length)} boxes`} on ${state.pair.tiled ? "these parts" : "the picture"}: `;
   return where + (reach === 1 || length === state.facts.differences.region_count ? "one around each region."

@@ -112,8 +112,17 @@ const packedColour = (text) => {
   return (0xff000000 | ((rgb & 255) << 16) | (rgb & 0xff00) | (rgb >> 16)) >>> 0;
 };
 
-// The colours of the heat map from a single step to the hottest, without those of what is set aside.
+// A small square in the colour of this level.
+function swatch(level) {
+  const made = element("i", {className: "swatch"});
+  made.style.background = manifest.heat_colours[level];
+  return made;
+}
+
+// The colours of the heat map from a single step to the hottest, without those of what is set aside, which has swatches.
 function paintLegend(colours) {
   const levels = Uint8Array.from({length: hottest}, (_, i) => (setAside(i + 1) ? belowThreshold - 1 : i + 1));
   byId("legend").getContext("2d").drawImage(paintLevels({width: levels.length, height: 1, levels}, colours), 0, 0);
+  byId("moved-edge").prepend(swatch(movedEdge));
+  byId("below-threshold").prepend(swatch(belowThreshold));
 }

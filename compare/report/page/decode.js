@@ -7,18 +7,19 @@ const sampleTypes = {u8: Uint8Array, u16: Uint16Array, f32: Float32Array};
 let arrived = null;
 window.glassboxPictures = (stamp, texts) => (arrived = {stamp, texts});
 
-function loadBeside({address, stamp}) {
+// `path` is the address for people.
+function loadBeside({address, path, stamp}) {
   return new Promise((done, fail) => {
     const script = element("script", {src: address});
     script.onload = () => {
       script.remove();
       if (arrived?.stamp === stamp) done(arrived.texts);
-      else fail(new Error(`The file ${decodeURIComponent(address)} beside this page belongs to another page.`));
+      else fail(new Error(`The file ${path} beside this page belongs to another page.`));
       arrived = null;
     };
     script.onerror = () => {
       script.remove();
-      fail(new Error(`There is no file ${decodeURIComponent(address)} beside this page.`));
+      fail(new Error(`There is no file ${path} beside this page.`));
     };
     document.head.append(script);
   });

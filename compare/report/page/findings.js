@@ -12,7 +12,7 @@ const errorText = ({file, place, cause, remedy}) =>
 
 function largestText({largest}, unit = "") {
   if (largest === "unbounded") return "∞";
-  return (largest < 1e7 ? largest.toLocaleString("en") : largest.toExponential(2).replace("+", "")) + unit;
+  return (largest < 1e7 ? numberText(largest) : largest.toExponential(2).replace("+", "")) + unit;
 }
 
 function showFindings(pair) {
@@ -88,7 +88,7 @@ function listRegions({differences, regions}) {
   if (!differences) return;
   const unit = unitOf[state.pair.pictures[0]?.type] ?? "";
   byId("regions-note").textContent = `${count(differences.differing_pixels, "pixel")} of ` +
-    `${differences.compared_pixels.toLocaleString("en")} in ${count(differences.region_count ?? 0, "region")}` +
+    `${numberText(differences.compared_pixels)} in ${count(differences.region_count ?? 0, "region")}` +
     (differences.region_count > regions.length ? `; the worst ${regions.length} are listed` : "");
   byId("set-aside").replaceChildren(...setAsideLines(differences, unit));
   byId("region-list").replaceChildren(...regions.map((region, index) => {
@@ -101,10 +101,10 @@ function listRegions({differences, regions}) {
 
 // What is counted apart, each with its colour in the heat map.
 function setAsideLines({moved_edges, below_threshold}, unit) {
-  const line = (colour, {pixels, largest}, what) => element("li", {}, element("i", {className: `swatch ${colour}`}),
+  const line = (level, {pixels, largest}, what) => element("li", {}, swatch(level),
     `${count(pixels, "pixel")} ${what}${pixels ? `, by up to ${largestText({largest}, unit)}` : ""}: not counted as different`);
-  return [moved_edges && line("moved", moved_edges, "at moved edges"),
-    below_threshold && line("below", below_threshold, "below the threshold")].filter(Boolean);
+  return [moved_edges && line(movedEdge, moved_edges, "at moved edges"),
+    below_threshold && line(belowThreshold, below_threshold, "below the threshold")].filter(Boolean);
 }
 
 function markRegion(index) {

@@ -25,17 +25,18 @@ const stepsOf = ({differences, verdict}) => {
 };
 const falling = (a, b) => (a === b ? 0 : b - a);
 
-// The manifest has the worst first. Those of a state without sizes are put in the order of their names. All other orders
-// keep this one among equals.
+// The manifest has the worst first, state by state. Those of a state without sizes are put in the order of their names. All
+// other orders keep this one among equals.
 const hasNoSize = ({verdict}) => ["same", "new", "missing"].includes(verdict);
-manifest.pairs.sort((a, b) => (a.verdict === b.verdict && hasNoSize(a) ? byName(a, b) : 0));
+const byState = (a, b) => verdicts.indexOf(a.verdict) - verdicts.indexOf(b.verdict);
+manifest.pairs.sort((a, b) => byState(a, b) || (hasNoSize(a) ? byName(a, b) : 0));
 
 const orders = {
   worst: () => 0,
   name: byName,
   pixels: (a, b) => falling(pixelsOf(a), pixelsOf(b)),
   largest: (a, b) => falling(stepsOf(a), stepsOf(b)),
-  state: (a, b) => verdicts.indexOf(a.verdict) - verdicts.indexOf(b.verdict) || byName(a, b),
+  state: (a, b) => byState(a, b) || byName(a, b),
 };
 
 let listed = []; // the pairs that the list shows, in its order
@@ -89,12 +90,12 @@ function shortFinding({differences, verdict, error, canvas}) {
 
 // How many pixels were set aside, each number with its colour of the heat map.
 function setAsideMarks({differences}) {
-  const mark = (colour, aside, what) => aside?.pixels
+  const mark = (level, aside, what) => aside?.pixels
     ? element("span", {className: "mark", title: `${count(aside.pixels, "pixel")} ${what}`},
-        element("i", {className: `swatch ${colour}`}), numberText(aside.pixels), element("span", {className: "hidden"}, ` ${what}`))
+        swatch(level), numberText(aside.pixels), element("span", {className: "hidden"}, ` ${what}`))
     : null;
-  return [mark("moved", differences?.moved_edges, "at moved edges"),
-    mark("below", differences?.below_threshold, "below the threshold")].filter(Boolean);
+  return [mark(movedEdge, differences?.moved_edges, "at moved edges"),
+    mark(belowThreshold, differences?.below_threshold, "below the threshold")].filter(Boolean);
 }
 
 // Shows the pairs that are wanted, and the controls as they are.

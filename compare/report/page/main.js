@@ -39,10 +39,16 @@ async function decodePair(facts) {
     reference, test, heat, pictures, problem,
     width: Math.max(0, ...pictures.map((picture) => picture.width)),
     height: Math.max(0, ...pictures.map((picture) => picture.height)),
-    tiled: pictures.some(({tiles, width, place}) => tiles.length !== 1 || tiles[0].width < (place?.[2] ?? width)),
+    tiled: pictures.some(isTiled),
     range: pictures[0]?.type === "f32" ? finiteRange(pictures) : {low: 0, high: 1},
     regions: facts.differences?.regions ?? [],
   };
+}
+
+// Whether the page has only parts of a picture.
+function isTiled({tiles: [first, ...others], width, height, place}) {
+  const [, , columns, rows] = place ?? [0, 0, width, height];
+  return !first || others.length > 0 || first.width < columns || first.height < rows;
 }
 
 // The pictures of a pair, and their samples as text: from beside the page, or those in it.

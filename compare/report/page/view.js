@@ -149,7 +149,7 @@ function drawBoxes(pane) {
     const seen = x < pane.x + pane.width && y < pane.y + pane.height && x + width > pane.x && y + height > pane.y;
     if (seen) outline(x, y, width, height, colour);
   };
-  for (const box of shownBoxes()) drawBox(box, "#fff");
+  for (const box of shownBoxes().boxes) drawBox(box, "#fff");
   const region = state.pair.regions[state.region];
   if (region) drawBox(region.box, "#ffe14d");
 }
