@@ -11,8 +11,8 @@ namespace glassbox {
 
 enum class Alignment : std::uint8_t {
   kTopLeft,  // the top left corners lie on each other
-  kCentre,  // the centres do, or miss by half a pixel: the smaller one lies higher or further left
-  kBest,  // where the pictures differ least
+  kCentre,   // the centres do, or the smaller one lies half a pixel higher or further left
+  kBest,     // where the pictures differ least
 };
 
 // The smallest canvas that has both pictures. Positions are counted from its top left corner.
