@@ -208,8 +208,8 @@ Result<void> check_sample_bytes(std::uint64_t width, std::uint64_t height,
 // Checks a size before it is an int. Returns an error if so many pixels cannot fit into the file.
 Result<void> check_window(const ExrWindow& data, const std::vector<ExrChannel>& channels,
                           std::size_t file_bytes, const DecodeLimits& limits) {
-  // Behind deflate's ratio, PXR24 leaves out every fourth byte of a float. The other compressions
-  // that are read encode less.
+  // One byte of deflate encodes at most kDeflateMaxRatio bytes, and PXR24 leaves out every fourth
+  // byte of a float. The other compressions that are read encode less.
   constexpr std::uint64_t kMostSampleBytes = kDeflateMaxRatio * 4 / 3;
   const auto side = [](std::int64_t length) {
     return std::uint64_t(std::max<std::int64_t>(length, 0));

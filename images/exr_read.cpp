@@ -237,6 +237,13 @@ void add_window(const ExrHeader& header, StoredFile& file) {
   file.rest_name += (file.rest_name.empty() ? "" : " and ") + place;
 }
 
+void add_rest(const ExrPicture& picture, std::vector<std::byte> further, StoredFile& file) {
+  add_further_channels(picture, std::move(further), file);
+  add_window(picture.header, file);
+  file.rest_remedy =
+      "save both with one data window, and their further channels as files of their own";
+}
+
 }  // namespace
 
 Result<StoredImage> decode_exr_stored(Bytes bytes, const DecodeLimits& limits) {
@@ -254,8 +261,7 @@ Result<StoredFile> decode_exr_file(Bytes bytes, const DecodeLimits& limits) {
   if (!samples) return tl::unexpected<Error>(samples.error());
   StoredFile file;
   file.image = image_of(*picture, std::move(samples->shown));
-  add_further_channels(*picture, std::move(samples->further), file);
-  add_window(picture->header, file);
+  add_rest(*picture, std::move(samples->further), file);
   return file;
 }
 

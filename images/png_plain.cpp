@@ -102,7 +102,8 @@ std::optional<PlainParts> plain_parts(Bytes file, const DecodeLimits& limits) {
 
 // Whether the window that zlib's header states is as long as any distance in the data can be.
 // libdeflate decompresses data with longer distances, too, and libpng refuses most such data. The
-// first four bits of the header are the logarithm of the window's length minus 8 (RFC 1950, 2.2).
+// highest four bits of the header's first byte are the base-2 logarithm of the window's length,
+// minus 8 (RFC 1950, 2.2).
 bool has_wide_window(Bytes data, std::size_t inflated_bytes) {
   constexpr std::size_t kLongestDistance = 32768;  // RFC 1951, 3.2.5
   if (data.empty()) return false;

@@ -17,7 +17,8 @@ struct StoredFile {
   // window. Two files of equal first pictures and equal bytes here look the same throughout. Empty
   // for most files.
   std::vector<std::byte> rest;
-  std::string rest_name;           // "2 further frames", "18 bytes behind it"
+  std::string rest_name;  // "2 further frames", "18 bytes behind it"
+  std::string rest_remedy = "save every picture as a file of its own, and compare these";
   std::vector<std::string> notes;  // what is odd about the file, in sentences
   int orientation = 1;             // the one in the Exif data of a JPEG, 1 to 8; it is applied
 };

@@ -204,7 +204,7 @@ void consider_rest(Comparison& comparison, const StoredFile& reference, const St
     comparison.error = Error{comparison.test.path, "",
                              "the first pictures pass, but nothing else can be compared: " + what +
                                  ", which are not the same bytes",
-                             "save every picture as a file of its own, and compare these"};
+                             (reference.rest.empty() ? test : reference).rest_remedy};
   }
 }
 

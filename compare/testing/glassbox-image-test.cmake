@@ -11,9 +11,9 @@
 # REFERENCE is in the current source directory. FUZZY, THRESHOLD, MAX_DIFFERING and
 # IGNORE_ANTIALIASING are options of `glassbox diff`; OPTIONS has others of them, as one would write
 # them. Where the pictures differ, FAILURES takes a heat map and a page: by default the folder that
-# the environment variable GLASSBOX_FAILURES names, or golden-failures in the working directory. Their
-# names begin with NAME. Tests that share the folder must have different names: a test deletes what
-# an earlier test of its name left there.
+# the environment variable GLASSBOX_FAILURES names, or golden-failures in the working directory.
+# Their names begin with NAME. Tests that share the folder must have different names: a test deletes
+# what an earlier test of its name left there.
 #
 # GLASSBOX_APPROVE=1 in ctest's environment makes the picture the golden image. This is refused where
 # CI is set.

@@ -103,7 +103,8 @@ bool is_same(const Made& made, const fs::path& golden) {
 
 std::string write(const Made& made, const fs::path& path) {
   const Content* content = std::get_if<Content>(&made);
-  return write_bytes(path, content != nullptr ? encode(*content) : std::get<Bytes>(made));
+  if (content != nullptr) return write_bytes(path, encode(*content));
+  return write_bytes(path, std::get<Bytes>(made));
 }
 
 // Whether the golden image would be compared with itself, which no test can fail.

@@ -130,8 +130,8 @@ Bytes encode_png(const Content& png) {
 }
 
 // Whether the file's rows, once inflated, are these. Another version of zlib compresses them into
-// other bytes. A file with a chunk that may change the meaning of the samples is not recognised, and
-// neither is one that glassbox diff would refuse: with a wrong checksum, or without its end.
+// other bytes. A file with a chunk that may change the meaning of the samples is not recognised.
+// Neither is one that glassbox diff would refuse: with a wrong checksum, or without its end.
 bool is_png_of(const Content& png, const Bytes& file) {
   if (file.size() < kSignature.size() ||
       std::memcmp(file.data(), kSignature.data(), kSignature.size()) != 0) {

@@ -30,8 +30,9 @@ Content content_of(const PictureView& picture, const std::string& extension);
 // The file.
 Bytes encode(const Content& content);
 
-// Whether the bytes are a file with this content. Files of other programs may store the same picture
-// in ways that are not recognised here, such as another filter of PNG. The answer is then false.
+// Whether the bytes are a file with this content. Files of other programs may store the same
+// picture in ways that are not recognised here, such as another filter of PNG. The answer is then
+// false.
 bool is_stored_in(const Bytes& file, const Content& content);
 
 }  // namespace glassbox::golden

@@ -235,12 +235,10 @@ TEST_CASE("all samples together have at most sixteen bytes for each pixel that t
     REQUIRE(file.has_value() == (pixels * pixel_bytes <= 16 * most));
     if (file) continue;
     ++refused;
-    REQUIRE(file.error().cause == "the image has " + std::to_string(width) + " x " +
-                                      std::to_string(height) + " pixels of " +
-                                      std::to_string(pixel_bytes) + " bytes in " +
-                                      std::to_string(parts.channels.size()) +
-                                      " channels, but all samples may have at "
-                                      "most " +
+    const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    REQUIRE(file.error().cause == "the image has " + size + " of " + std::to_string(pixel_bytes) +
+                                      " bytes in " + std::to_string(parts.channels.size()) +
+                                      " channels, but all samples may have at most " +
                                       std::to_string(16 * most) + " bytes");
     REQUIRE_FALSE(file.error().remedy.empty());
   }

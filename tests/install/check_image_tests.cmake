@@ -53,9 +53,9 @@ if(EXISTS "${build}/golden-failures/cube.html")
   message(FATAL_ERROR "the test passes, and the page of its failure is still there")
 endif()
 
-# try(CALL ENVIRONMENT...) configures a project with this call, and runs its test in this environment.
-# It sets result and output, and step to what came last: "configures" or "runs". The call is where the
-# variables of find_package are not visible.
+# try(CALL ENVIRONMENT...) configures a project with this call, and runs its test in this
+# environment. It sets result and output, and step to what came last: "configures" or "runs". The
+# call is where the variables of find_package are not visible.
 function(try call)
   file(REMOVE_RECURSE "${build} try")
   file(WRITE "${build} try/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)\nproject(try LANGUAGES NONE)
@@ -109,8 +109,8 @@ run_wrong("NAME a COMMAND /nowhere/at-all OUTPUT a.png REFERENCE b.png" "/nowher
 run_wrong("NAME a COMMAND true OUTPUT CMakeLists.txt REFERENCE CMakeLists.txt" "OUTPUT is REFERENCE itself" runs)
 run_wrong("NAME a COMMAND cmake -E touch a.png OUTPUT a.png REFERENCE b.png OPTIONS --sise" "--sise" runs)
 
-# The options of a test count in its approval, too. An alpha that is opaque everywhere is a difference
-# only with --alpha strict, and an option that does not exist approves nothing.
+# The options of a test count in its approval, too. An alpha that is opaque everywhere is a
+# difference only with --alpha strict, and an option that does not exist approves nothing.
 set(rgb "P7\nWIDTH 1\nHEIGHT 1\nDEPTH 3\nMAXVAL 126\nTUPLTYPE RGB\nENDHDR\nAAA")
 set(rgba "P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 126\nTUPLTYPE RGB_ALPHA\nENDHDR\nAAA~")
 file(WRITE "${build}/golden.pam" "${rgb}")

@@ -1,5 +1,5 @@
-# This file runs the consumer's tests of the library's pictures, with each framework that is installed:
-# without golden images, with approval, and again. check_install.cmake includes it.
+# This file runs the consumer's tests of the library's pictures, with each framework that is
+# installed: without golden images, with approval, and again. check_install.cmake includes it.
 foreach(framework catch2 gtest doctest)
   set(program ${work}/consumer-build/pictures_with_${framework})
   if(NOT EXISTS ${program})

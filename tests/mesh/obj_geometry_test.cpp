@@ -10,6 +10,8 @@
 namespace glassbox {
 namespace {
 
+using test::contains;
+
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 Scene load(const std::string& obj) {

@@ -62,7 +62,7 @@ TEST_CASE("pytest's recipe is a plain function, which fails, is approved, and pa
                                    "import pathlib, test_cube\n"
                                    "test_cube.test_cube(pathlib.Path('.'))\n"});
   });
-  // There is no page of what glassbox diff refuses, and the page of the failure before is not named.
+  // There is no page of what glassbox diff refuses, and that of the failure before is not named.
   CHECK(project.has("golden-failures/cube.png.html"));
   const Outcome outcome = with_a_slip(project);
   INFO(outcome.out << outcome.err);
