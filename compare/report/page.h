@@ -36,10 +36,10 @@ struct PageOptions {
 // are the same it has only numbers, unless there is only one pair. Files are read again, one pair
 // after the other, unless the comparison kept their pixels.
 //
-// Files beside the page are checked before anything is written, and written before the page; then
-// those that an earlier page of this name had more are removed. With them, only pictures above
-// small_crops.whole_pixels lie in a file, and small ones in the page, as long as max_crop_bytes
-// last.
+// Files beside the page are checked before anything is written, and written before the page. Then
+// the files with higher numbers are removed, which an earlier page with more pairs had. Pictures of
+// up to small_crops.whole_pixels are in the page, and not in a file, until max_crop_bytes are used
+// up.
 Result<void> write_page(const std::string& path, std::span<const Comparison> comparisons,
                         const PageOptions& options = {});
 
