@@ -20,7 +20,7 @@ struct PageFile {
   std::string stamp;    // a checksum: the page refuses the file of another page
 };
 
-// An error if write_page_file would refuse to replace one of the files 1 to `count`. Writes nothing.
+// An error if write_page_file would refuse to replace one of the files 1 to `count`.
 Result<void> check_page_files(const std::string& page, std::size_t count);
 
 // Writes the file with this index, completely or not at all. It is a script that calls the page's
