@@ -88,7 +88,7 @@ TEST_CASE("an opaque alpha channel is no difference, and this is said once") {
   for (const Comparison& one : all) CHECK(one.verdict == Verdict::kSame);
   CHECK(all[0].opaque_alpha == OpaqueAlpha::kTest);
   CHECK(all[1].opaque_alpha == OpaqueAlpha::kReference);
-  CHECK(opaque_alpha_text(all).find("one picture of 3 pairs has an alpha channel") == 0);
+  CHECK(opaque_alpha_text(all).find("in 3 pairs, one picture has an alpha channel") == 0);
   CHECK(opaque_alpha_text(std::span(all).first(1)).find("the test has an alpha channel") == 0);
   CHECK(opaque_alpha_text(std::span(all).last(1)).empty());
 }
