@@ -183,7 +183,7 @@ Result<void> check_version(std::uint64_t version) {
 
 // Whether a window has pixels, and no coordinate that OpenEXR's library refuses as too far away.
 bool is_possible(const ExrWindow& window) {
-  constexpr std::int32_t kFarthest = std::int32_t(1) << 30;
+  constexpr std::int32_t kFarthest = std::numeric_limits<std::int32_t>::max() / 2;
   return window.width() > 0 && window.height() > 0 && window.left > -kFarthest &&
          window.top > -kFarthest && window.right < kFarthest && window.bottom < kFarthest;
 }

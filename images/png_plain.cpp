@@ -100,17 +100,6 @@ std::optional<PlainParts> plain_parts(Bytes file, const DecodeLimits& limits) {
   }
 }
 
-// Whether the window that zlib's header states is as long as any distance in the data can be.
-// libdeflate decompresses data with longer distances, too, and libpng refuses most such data. The
-// highest four bits of the header's first byte are the base-2 logarithm of the window's length,
-// minus 8 (RFC 1950, 2.2).
-bool has_wide_window(Bytes data, std::size_t inflated_bytes) {
-  constexpr std::size_t kLongestDistance = 32768;  // RFC 1951, 3.2.5
-  if (data.empty()) return false;
-  const std::size_t window = std::size_t(256) << (std::to_integer<unsigned>(data[0]) >> 4);
-  return window >= std::min(inflated_bytes, kLongestDistance);
-}
-
 // Decompresses the data to exactly `target`. Returns whether nothing of them was left over.
 bool decompress(Bytes data, std::span<std::uint8_t> target) {
   return has_wide_window(data, target.size()) &&

@@ -87,7 +87,7 @@ Result<void> check_page_folder(const DiffRequest& request, const Pairing& pairin
                    request);
   if (!legal) return legal;
   for (const std::string& path : reports) {
-    if (!is_same_file(fs::path(path).parent_path().string(), folder)) continue;
+    if (whole_path(path).parent_path() != whole_path(folder)) continue;
     return tl::unexpected(Error{path, "", "lies in the folder of the page's pictures",
                                 "write this report to another folder"});
   }

@@ -14,15 +14,10 @@
 
 namespace glassbox {
 
-namespace {
-
-// The absolute path without links and dots, which is the same for two names of one file.
 std::filesystem::path whole_path(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
 }
-
-}  // namespace
 
 Result<void> write_text(const std::string& target, const std::string& text) {
   if (target == "-") {

@@ -2,6 +2,7 @@
 // not at all.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +22,10 @@ Result<void> write_text(const std::string& target, const std::string& text);
 
 // Writes the text; returns the error if there is an error instead of a text.
 Result<void> write_text_result(const std::string& path, const Result<std::string>& text);
+
+// The absolute path without links and dots, which is the same for two names of one file. The file
+// need not exist.
+std::filesystem::path whole_path(const std::string& path);
 
 // An error if `path` does not end in `extension` (".pfm"), in upper or lower case.
 Result<void> check_extension(const std::string& path, const std::string& extension);

@@ -10,11 +10,12 @@
 #include <string_view>
 
 #include <glassbox/base/little_endian.h>
+#include <glassbox/images/inflate.h>
 
 namespace glassbox::golden {
 namespace {
 
-constexpr std::uint64_t kMaxPixels = std::uint64_t(1) << 28;  // as much as glassbox diff compares
+constexpr int kMaxSide = 16384;  // px, as much as glassbox diff compares
 
 std::size_t row_samples(const PictureView& picture) {
   return std::size_t(picture.width) * std::size_t(picture.channels);
@@ -131,7 +132,8 @@ Bytes encode_png(const Content& png) {
 
 // Whether the file's rows, once inflated, are these. Another version of zlib compresses them into
 // other bytes. A file with a chunk that may change the meaning of the samples is not recognised.
-// Neither is one that glassbox diff would refuse: with a wrong checksum, or without its end.
+// Neither is one that glassbox diff would refuse: with a wrong checksum, without its end, or with a
+// window that is too small.
 bool is_png_of(const Content& png, const Bytes& file) {
   if (file.size() < kSignature.size() ||
       std::memcmp(file.data(), kSignature.data(), kSignature.size()) != 0) {
@@ -165,6 +167,7 @@ bool is_png_of(const Content& png, const Bytes& file) {
     at += 12 + size;
   }
   if (!ended || header != png.header) return false;
+  if (!has_wide_window(std::as_bytes(std::span(deflated)), png.rows.size())) return false;
   Bytes rows(png.rows.size());
   uLongf size = uLongf(rows.size());
   return uncompress(rows.data(), &size, deflated.data(), uLong(deflated.size())) == Z_OK &&
@@ -208,10 +211,11 @@ std::string why_not_stored(const PictureView& picture, const std::string& extens
   if (extension != ".png" && extension != ".pfm") {
     return "a golden image is a .png or a .pfm file; end its name in .png or .pfm";
   }
-  if (picture.width < 1 || picture.height < 1 ||
-      std::uint64_t(picture.width) * std::uint64_t(picture.height) > kMaxPixels) {
+  if (std::min(picture.width, picture.height) < 1 ||
+      std::max(picture.width, picture.height) > kMaxSide) {
     return "a picture of " + std::to_string(picture.width) + " x " +
-           std::to_string(picture.height) + " cannot be compared; give it 1 to 2^28 pixels";
+           std::to_string(picture.height) + " cannot be compared; give it sides of 1 to " +
+           std::to_string(kMaxSide) + " pixels";
   }
   if (picture.channels < 1 || picture.channels > 4) {
     return "the picture has " + std::to_string(picture.channels) + " channels; give it 1 to 4";

@@ -114,6 +114,13 @@ TEST_CASE("no other report has the name of the folder beside the page, or lies i
   fs::create_directory(three.here.file("page-files"));
   check_refused_without_page(three, "--html page.html --html-files --json page-files/0001.js",
                              "lies in the folder of the page's pictures");
+  // The same folder is where the command runs.
+  const Outcome inside = run_program(
+      GLASSBOX_PROGRAM,
+      {"diff", "../ref", "../out", "--html", "../page.html", "--html-files", "--json", "0001.js"},
+      three.here.file("page-files"));
+  CHECK(inside.exit_code == 2);
+  CHECK(contains(inside.err, "lies in the folder of the page's pictures"));
   CHECK(three.files_in("page-files").empty());
 }
 

@@ -109,30 +109,37 @@ test("the address has the pair and the list's state: it leads there, and Back go
 
 test("a link leads to a pair whose name the address cannot have", async () => {
   fs.rmSync(file("bytes"), {recursive: true, force: true});
-  // Names that are not UTF-8: the page shows both as the same text.
-  const named = (folder, byte) => Buffer.concat([Buffer.from(`${file("bytes", folder)}/`), Buffer.from([byte]), Buffer.from(".png")]);
-  for (const [byte, number] of [[0xfe, 3], [0xff, 5]]) {
+  // Names that are not UTF-8, and one that is: the page shows all as the same text.
+  const named = (folder, start) => Buffer.concat([Buffer.from(`${file("bytes", folder)}/`), Buffer.from(start), Buffer.from(".png")]);
+  for (const [start, number] of [[[0xfe], 3], [[0xff], 5], ["\ufffd", 1]]) {
     const changes = Array.from({length: number}, (_, x) => [7 * x, 7, [0, 0, 0]]);
     for (const folder of ["reference", "test"]) fs.mkdirSync(file("bytes", folder), {recursive: true});
-    fs.writeFileSync(named("reference", byte), encodePng(colours));
-    fs.writeFileSync(named("test", byte), encodePng(copyWith(colours, changes)));
+    fs.writeFileSync(named("reference", start), encodePng(colours));
+    fs.writeFileSync(named("test", start), encodePng(copyWith(colours, changes)));
   }
   const made = makePage("bytes/page.html", "bytes/reference", "bytes/test");
   const {page, problems, close} = await openPage(made);
   const pairs = await pairsOf(page);
-  assert.equal(pairs[0].name, pairs[1].name);
-  await press(page, "j");
-  const note = await page.textContent("#regions-note"), hash = await page.evaluate(() => location.hash);
-  const other = await openPage(made, {}, hash);
-  assert.equal(await other.page.textContent("#regions-note"), note);
-  assert.deepEqual(other.problems, []);
-  await other.close();
+  assert.equal(new Set(pairs.map(({name}) => name)).size, 1);
+  const notes = [], links = [];
+  for (let i = 0; i < 3; i++) {
+    if (i) await press(page, "j");
+    notes.push(await page.textContent("#regions-note"));
+    links.push(await page.evaluate(() => location.hash));
+  }
+  assert.equal(new Set(notes).size, 3);
+  for (let i = 0; i < 3; i++) {
+    const other = await openPage(made, {}, links[i]);
+    assert.equal(await other.page.textContent("#regions-note"), notes[i], links[i]);
+    assert.deepEqual(other.problems, []);
+    await other.close();
+  }
   await page.goBack();
   await settled(page);
-  assert.notEqual(await page.textContent("#regions-note"), note);
-  for (const nonsense of ["#at=length", "#at=2", "#at=-1", "#at=", "#at=__proto__"]) {
+  assert.equal(await page.textContent("#regions-note"), notes[1]);
+  for (const nonsense of ["#at=length", "#at=2", "#at=3", "#at=-1", "#at=", "#at=__proto__"]) {
     const strange = await openPage(made, {}, nonsense);
-    assert.equal(await strange.page.textContent("#place"), "1 of 2", nonsense);
+    assert.equal(await strange.page.textContent("#place"), "1 of 3", nonsense);
     assert.deepEqual(strange.problems, []);
     await strange.close();
   }

@@ -151,6 +151,11 @@ TEST_CASE(
         "1 further channel and a data window at (2, 4) of a display window of 10 x 10 pixels");
 }
 
+TEST_CASE("a display window may reach as far as in OpenEXR's library") {
+  CHECK(read(build_exr({.display = {0, 0, 0x3ffffffe, 0}})));
+  CHECK(read(build_exr({.display = {0xc0000002, 0xc0000002, 0, 0}})));
+}
+
 TEST_CASE("what is not read is refused by its name") {
   const Bytes two_levels{1, 0, 0, 0, 1, 0, 0, 0, 1};
   const struct {
@@ -182,6 +187,10 @@ TEST_CASE("what is not read is refused by its name") {
       {{.display = {0, 0, 0x7fffffff, 0}},
        "not a valid OpenEXR image: its header is cut off or broken"},
       {{.display = {0x80000000, 0, 0, 0}},
+       "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {0, 0, 0x3fffffff, 0}},
+       "not a valid OpenEXR image: its header is cut off or broken"},
+      {{.display = {0, 0xc0000001, 0, 0}},
        "not a valid OpenEXR image: its header is cut off or broken"},
       {{.rows = {{0}}},
        "not a valid OpenEXR image: the samples from pixel (0, 0) on are cut off or broken"},

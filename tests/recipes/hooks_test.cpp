@@ -122,6 +122,10 @@ TEST_CASE("a file of tolerances passes its hook if it can be read and belongs to
   CHECK(says("a folder/cube.fuzzy", fine).empty());
   CHECK(contains(says("a folder/cube.fuzzy", "garbage\n"), "cube.fuzzy"));
   CHECK(contains(says("a folder/cube.obj.fuzzy", fine), "belongs to no picture"));
+  // A file that may not be written, before a picture. (This is no case for root.)
+  std::filesystem::permissions(project.path("a folder/cube.obj"),
+                               std::filesystem::perms::owner_read);
+  CHECK(says("a folder/cube.fuzzy", fine).empty());
   project.draw("cube", "tea.heat.png");
   CHECK(contains(says("tea.fuzzy", "garbage\n"), "belongs to no picture"));
   CHECK(says("tea.heat.fuzzy", fine).empty());

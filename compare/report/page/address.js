@@ -38,7 +38,8 @@ function followAddress() {
   wanted.text = parts.get("name") ?? "";
   wanted.sort = Object.hasOwn(orders, parts.get("sort") ?? "") ? parts.get("sort") : "worst";
   showList();
-  const pair = manifest.pairs.find(({name}, index) => name === parts.get("pair") || String(index) === parts.get("at")) ??
+  const isMeant = (pair, index) => pair.not_listed ? String(index) === parts.get("at") : pair.name === parts.get("pair");
+  const pair = manifest.pairs.find(isMeant) ??
     (parts.has("show") || parts.has("name") || parts.has("sort") ? listed[0] : null) ?? manifest.pairs[0];
   if (pair !== state.facts) openPair(pair);
 }
