@@ -68,15 +68,18 @@ int exit_code_of(const std::vector<Comparison>& comparisons) {
   return worst;
 }
 
-Result<std::string> read_list(const std::string& path) {
+// The names in the list of --approve-list; "-" is standard input.
+Result<std::vector<std::string>> read_list(const std::string& path) {
   constexpr std::uint64_t kMaxBytes = std::uint64_t(1) << 26;
+  const std::string file = path == "-" ? "standard input" : path;
   const auto bytes = path == "-" ? read_standard_input(kMaxBytes) : read_file(path, kMaxBytes);
   if (!bytes) {
-    const std::string name = path == "-" ? "standard input" : path;
-    return tl::unexpected(Error{name, "", bytes.error().cause,
+    return tl::unexpected(Error{file, "", bytes.error().cause,
                                 "give --approve-list the names of pictures, one a line"});
   }
-  return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  auto names = parse_approval_list({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  if (!names) names.error().file = file;
+  return names;
 }
 
 }  // namespace
@@ -117,13 +120,8 @@ Result<ApprovalRequest> DiffCommand::approval_request() const {
   ApprovalRequest approval{request_.approve_patterns, {}};
   if (request_.approve_all) approval.patterns = {"*"};
   if (!request_.approve_list) return approval;
-  const auto text = read_list(*request_.approve_list);
-  if (!text) return tl::unexpected(text.error());
-  auto names = parse_approval_list(*text);
-  if (!names) {
-    names.error().file = *request_.approve_list;
-    return tl::unexpected(names.error());
-  }
+  auto names = read_list(*request_.approve_list);
+  if (!names) return tl::unexpected(names.error());
   approval.names = *std::move(names);
   return approval;
 }

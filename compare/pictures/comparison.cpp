@@ -271,8 +271,7 @@ Comparison compare_files(const std::string& reference_path, const std::string& t
   const auto selection = selection_of(prepared, comparison);
   if (!selection) return uncompared(std::move(comparison), selection.error());
 
-  PicturePair pair{prepared.reference, prepared.test, *selection, options.nan_equals_nan,
-                   comparison.set_aside};
+  PicturePair pair = picture_pair(prepared, *selection, comparison);
   comparison.differences =
       find_differences(pair, pair.set_aside.empty() ? nullptr : &pixels->kinds);
   pair.kinds = pixels->kinds;

@@ -89,4 +89,10 @@ Result<Selection> selection_of(const PreparedPair& pair, const Comparison& compa
   return selection;
 }
 
+PicturePair picture_pair(const PreparedPair& pair, const Selection& selection,
+                         const Comparison& comparison) {
+  return {pair.reference,       pair.test, selection, comparison.nan_equals_nan,
+          comparison.set_aside, pair.kinds};
+}
+
 }  // namespace glassbox

@@ -41,4 +41,8 @@ Result<std::shared_ptr<const PreparedPair>> pixels_of(const Comparison& comparis
 // The pixels of the prepared pair that a comparison used.
 Result<Selection> selection_of(const PreparedPair& pair, const Comparison& comparison);
 
+// The pair as the comparison looks at it. It refers to `pair` and to `selection`.
+PicturePair picture_pair(const PreparedPair& pair, const Selection& selection,
+                         const Comparison& comparison);
+
 }  // namespace glassbox

@@ -16,8 +16,7 @@ Result<Image<std::uint8_t>> heat_levels(const Comparison& comparison, HeatMapKin
   if (!pixels) return tl::unexpected(pixels.error());
   const auto selection = selection_of(**pixels, comparison);
   if (!selection) return tl::unexpected(selection.error());
-  const PicturePair pair{(*pixels)->reference,      (*pixels)->test,      *selection,
-                         comparison.nan_equals_nan, comparison.set_aside, (*pixels)->kinds};
+  const PicturePair pair = picture_pair(**pixels, *selection, comparison);
   if (of == HeatMapKind::kSteps) return heat_map(pair);
   if (std::holds_alternative<std::vector<float>>(pair.reference.samples)) {
     return fail(comparison.name, "FLIP is not defined for pictures of floats",

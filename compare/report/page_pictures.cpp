@@ -26,8 +26,7 @@ std::shared_ptr<const StoredImage> read_again(const PictureFacts& facts) {
 std::shared_ptr<const StoredImage> heat_of(const Comparison& comparison, const PreparedPair& pair) {
   const auto selection = selection_of(pair, comparison);
   if (!selection) return {};
-  auto levels = heat_map({pair.reference, pair.test, *selection, comparison.nan_equals_nan,
-                          comparison.set_aside, pair.kinds});
+  auto levels = heat_map(picture_pair(pair, *selection, comparison));
   const auto differing = std::count_if(levels.pixels.begin(), levels.pixels.end(), is_heat);
   if (std::uint64_t(differing) != comparison.differences->differing) return {};
   return std::make_shared<const StoredImage>(StoredImage{

@@ -71,6 +71,9 @@ TEST_CASE("a list comes from standard input, too, and neither way may be endless
   };
   CHECK(piped("printf 'b.png\\nmenu/a.png\\n'").exit_code == 1);
   CHECK(many.approved() == Names{"b.png", "menu/a.png"});
+  const Outcome empty = piped("printf ''");
+  CHECK(empty.exit_code == 2);
+  CHECK(contains(empty.err, "standard input: there is no name of a picture in the list"));
   // 2^26 bytes are the most that is read.
   const Outcome endless = piped("head -c 67108865 /dev/zero | tr '\\0' '\\n'");
   CHECK(endless.exit_code == 2);
