@@ -10,7 +10,8 @@
 #include <glassbox/raster/triangle_setup.h>
 
 #include "exact/coverage.h"
-#include "labs/06-rasterisation/cases.h"
+#include "labs/06-rasterisation/generators.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -77,6 +78,7 @@ bool all_edges(const SnappedVertex&, const SnappedVertex&) {
   return true;
 }
 
+constexpr Rule kRule{"", kCentre, top_left};
 constexpr Rule kSlippedRules[] = {{"half-pixel", 0, top_left},
                                   {"y-direction", kCentre, bottom_left},
                                   {"all-edges", kCentre, all_edges}};
@@ -273,6 +275,40 @@ Case expect_tiles(const TileCase& input) {
   return made;
 }
 
+// ---- generated inputs, of which each has one number but the coverage ----
+
+bool is_number(const Answer& answer, const char* field, double right) {
+  const auto* values = find_field(answer, field);
+  return values != nullptr && values->size() == 1 && (*values)[0] == right;
+}
+
+bool right_snap(const SnapCase& input, const Answer& answer) {
+  return is_number(answer, "steps", glassbox::snap(input.pixels[0]));
+}
+
+bool right_edge(const EdgeCase& input, const Answer& answer) {
+  const auto& [a, b, p] = input.samples[0];
+  return is_number(answer, "edge function", double(double_area(a, b, p)));
+}
+
+bool right_owner(const EdgeCase& input, const Answer& answer) {
+  return is_number(answer, "owned", top_left(input.samples[0][0], input.samples[0][1]) ? 1 : 0);
+}
+
+bool right_coverage(const CoverageCase& input, const Answer& answer) {
+  const auto* times = find_field(answer, "times covered");
+  return times != nullptr && *times == coverage_of(input, true, true).values &&
+         is_number(answer, "outside the window", 0);
+}
+
+bool right_apex(const PolygonsCase& input, const Answer& answer) {
+  return is_number(answer, "apex", glassbox::fan_apex(input.polygons[0]));
+}
+
+bool right_tile(const TileCase& input, const Answer& answer) {
+  return is_number(answer, "tiles", int(cover_by(kRule, input.triangle, input.tiles[0])));
+}
+
 }  // namespace
 
 Lab lab_06() {
@@ -287,21 +323,32 @@ Lab lab_06() {
        {"6.5", "A fan that does not fold back", 10},
        {"6.6", "A tile against a triangle", 20}},
       {check("positions go to the nearest step", "6.1", "screen", positions, expect_snap),
+       generated_check("any position", "6.1", "screen", generated_positions, expect_snap,
+                       right_snap),
        hidden_check("positions next to halves and far away", "6.1", "screen", more_positions,
                     expect_snap),
        check("the edge function is twice an area with its sign", "6.2", "coverage", edges,
              expect_edge),
+       generated_check("any edge and point", "6.2", "coverage", generated_edges, expect_edge,
+                       right_edge),
        hidden_check("edges of 32 K pixels", "6.2", "coverage", far_edges, expect_edge),
        check("top and left edges are owned", "6.3", "coverage", directions, expect_owner),
+       generated_check("any direction", "6.3", "coverage", generated_directions, expect_owner,
+                       right_owner),
        hidden_check("edges in every direction", "6.3", "coverage", more_directions, expect_owner),
        check("every centre belongs to one triangle", "6.4", "coverage", triangles, expect_coverage),
+       generated_check("any triangle", "6.4", "coverage", generated_triangles, expect_coverage,
+                       right_coverage),
        hidden_check("meshes, fans, slivers and far triangles", "6.4", "coverage", more_triangles,
                     expect_coverage),
        check("a fan that does not fold back", "6.5", "coverage", polygons, expect_apex),
+       generated_check("any polygon", "6.5", "coverage", generated_polygons, expect_apex,
+                       right_apex),
        hidden_check("flat polygons bent by the snap", "6.5", "coverage", thin_polygons,
                     expect_apex),
        check("tiles without, with some, and with all pixels", "6.6", "coverage", tilings,
              expect_tiles),
+       generated_check("any tile", "6.6", "coverage", generated_tiles, expect_tiles, right_tile),
        hidden_check("tiles in other places and sizes", "6.6", "coverage", more_tilings,
                     expect_tiles)}};
 }

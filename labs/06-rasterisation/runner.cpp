@@ -1,6 +1,6 @@
 // Calls your functions with the cases of lab 6.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_06 {
@@ -69,6 +69,12 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("every centre belongs to one triangle", triangles(), ask_coverage),
       check("a fan that does not fold back", polygons(), ask_apex),
       check("tiles without, with some, and with all pixels", tilings(), ask_tiles),
+      generated_check("any position", generated_positions(), ask_snap),
+      generated_check("any edge and point", generated_edges(), ask_edge),
+      generated_check("any direction", generated_directions(), ask_owner),
+      generated_check("any triangle", generated_triangles(), ask_coverage),
+      generated_check("any polygon", generated_polygons(), ask_apex),
+      generated_check("any tile", generated_tiles(), ask_tiles),
       // BEGIN HIDDEN
       check("positions next to halves and far away", more_positions(), ask_snap),
       check("edges of 32 K pixels", far_edges(), ask_edge),

@@ -8,6 +8,7 @@
 #include "cli/report/text_layout.h"
 #include "labs/commands/report.h"
 #include "labs/framework/divergence_text.h"
+#include "labs/framework/run_check.h"
 #include "labs/framework/slips.h"
 
 #include <glassbox/base/counted.h>
@@ -119,7 +120,10 @@ std::string debugger_command(const LabReport& report, const CheckResult& check) 
   if (report.runner.empty() || !check.first) return {};
   const auto runner = shell_quoted(report.runner), name = shell_quoted(check.name);
   if (!runner || !name) return {};
-  return fmt::format("gdb --args {} --check {} --case {}", *runner, *name, check.first->index);
+  const auto& choices = check.first->choices;
+  return fmt::format(
+      "gdb --args {} --check {} --case {}{}", *runner, *name, check.first->index,
+      choices.empty() ? "" : fmt::format(" --choices '{}'", choices_text({choices})));
 }
 
 std::string lab_report_text(const LabReport& report) {

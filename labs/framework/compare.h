@@ -35,10 +35,6 @@ Comparison compare(const Expected& expected, const std::vector<double>& actual);
 // counts as missing.
 Comparison compare(const Expected& expected, const Answer& answer);
 
-// The first place where the answer to a case is wrong. It is found by Case::judge if the case has
-// that function, otherwise by comparing the expected fields in turn.
-std::optional<Divergence> judge_case(const Case& input, const Answer& answer);
-
 // The numbers of an answer's field; null if there is no field of that name.
 const std::vector<double>* find_field(const Answer& answer, const std::string& name);
 

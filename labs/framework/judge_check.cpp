@@ -5,15 +5,17 @@
 #include <iterator>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "labs/framework/batch.h"
 #include "labs/framework/slips.h"
 
 namespace glassbox::labs {
 
 namespace {
 
-Verdict verdict_of(const Case& input, const CaseAnswer& answer, FirstFailure& failure) {
-  failure.text = answer.text;
-  switch (answer.state) {
+Verdict verdict_of(CaseAnswer::State state) {
+  switch (state) {
     case CaseAnswer::State::kMissing:
       return Verdict::kMissing;
     case CaseAnswer::State::kThrew:
@@ -29,8 +31,7 @@ Verdict verdict_of(const Case& input, const CaseAnswer& answer, FirstFailure& fa
     case CaseAnswer::State::kAnswered:
       break;
   }
-  failure.divergence = judge_case(input, answer.answer);
-  return failure.divergence ? Verdict::kWrong : Verdict::kRight;
+  return Verdict::kRight;
 }
 
 // Adds the expected and the actual numbers of the wrong field, from which a report makes its
@@ -46,6 +47,27 @@ void add_field(const Case& input, const Answer& answer, FirstFailure& failure) {
   }
 }
 
+// Judges a class of generated inputs. The failure is that of the first input with a wrong answer.
+FirstFailure judge_class(const Case& input, const Answer& batch, std::size_t index) {
+  const GeneratedInputs& inputs = *input.generated;
+  const std::vector<std::size_t> wrong = wrong_inputs(inputs, batch);
+  FirstFailure failure;
+  failure.index = index;
+  failure.verdict = wrong.empty() ? Verdict::kRight : Verdict::kWrong;
+  if (wrong.empty()) return failure;
+  const auto answers = split_batch(batch, std::size_t(inputs.count));
+  Choices choices(choices_of(inputs, wrong[0]));
+  const Case first = inputs.expect(choices);
+  CaseAnswer answer{CaseAnswer::State::kAnswered, answers ? (*answers)[wrong[0]] : Answer(), ""};
+  failure = judge_answer(first, answer, index);
+  failure.verdict = Verdict::kWrong;
+  failure.choices = choices.made();
+  failure.wrong_inputs = wrong.size();
+  failure.where = fmt::format("{}: generated input {}; {} of {} answers are wrong", input.where,
+                              wrong[0], wrong.size(), inputs.count);
+  return failure;
+}
+
 // The result of a check before any of its cases is judged.
 CheckResult unjudged_result(const Check& check, std::size_t cases, double points) {
   return {.name = check.name,
@@ -53,6 +75,7 @@ CheckResult unjudged_result(const Check& check, std::size_t cases, double points
           .stage = check.stage,
           .hidden = check.hidden,
           .all_or_nothing = check.all_or_nothing,
+          .generated = check.generated,
           .max_score = points * double(cases)};
 }
 
@@ -66,6 +89,21 @@ const char* verdict_name(Verdict verdict) {
   return kNames[int(verdict)];
 }
 
+FirstFailure judge_answer(const Case& input, const CaseAnswer& answer, std::size_t index) {
+  const bool answered = answer.state == CaseAnswer::State::kAnswered;
+  if (input.generated && answered) return judge_class(input, answer.answer, index);
+  FirstFailure failure;
+  failure.index = index;
+  failure.where = input.where;
+  failure.restated = input.restated;
+  failure.text = answer.text;
+  failure.verdict = verdict_of(answer.state);
+  if (answered) failure.divergence = judge_case(input, answer.answer);
+  if (failure.divergence) failure.verdict = Verdict::kWrong;
+  add_field(input, answer.answer, failure);
+  return failure;
+}
+
 CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
                         const CheckAnswers& answers, double points) {
   CheckResult result = unjudged_result(check, cases.size(), points);
@@ -74,20 +112,15 @@ CheckResult judge_check(const Check& check, const std::vector<Case>& cases,
   const CaseAnswer none;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const CaseAnswer& answer = i < answers.cases.size() ? answers.cases[i] : none;
-    FirstFailure failure;
-    failure.index = i;
-    const Verdict verdict = verdict_of(cases[i], answer, failure);
-    result.cases.push_back(verdict);
-    if (verdict == Verdict::kRight) {
+    FirstFailure failure = judge_answer(cases[i], answer, i);
+    result.cases.push_back(failure.verdict);
+    if (failure.verdict == Verdict::kRight) {
       ++result.right;
       continue;
     }
     if (result.first) continue;
-    failure.verdict = result.verdict = verdict;
-    failure.where = cases[i].where;
-    failure.restated = cases[i].restated;
-    add_field(cases[i], answer.answer, failure);
-    if (verdict == Verdict::kMissing) failure.text = answers.malformed;
+    result.verdict = failure.verdict;
+    if (failure.verdict == Verdict::kMissing) failure.text = answers.malformed;
     result.first = std::move(failure);
   }
   // If the program wrote a line that is not a valid answer, the cases without an answer are

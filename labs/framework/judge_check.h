@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,12 +42,21 @@ struct FirstFailure {
   std::optional<Comparison> comparison;
   std::optional<Expected> expected;  // what is expected of the wrong field
   std::vector<double> actual;        // the numbers that the wrong field has
+  // only for a generated input: the choices that make it (choices.h), and how many inputs of its
+  // class have wrong answers (0: not known, because the program did not answer them all)
+  std::vector<std::uint64_t> choices;
+  std::size_t wrong_inputs = 0;
 };
+
+// The verdict on an answer to one case, with the place where it is wrong. The verdict is kRight if
+// it is right, and then the other members have no meaning.
+FirstFailure judge_answer(const Case& input, const CaseAnswer& answer, std::size_t index);
 
 struct CheckResult {
   std::string name, task, stage;
   bool hidden = false;
   bool all_or_nothing = false;  // as Check::all_or_nothing
+  bool generated = false;       // as Check::generated
   double score = 0, max_score = 0;
   Verdict verdict = Verdict::kRight;  // the verdict on the first case that is not right
   std::vector<Verdict> cases = {};

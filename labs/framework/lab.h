@@ -6,12 +6,14 @@
 //   student.h      the contract of each function that a student writes
 //   student.cpp    the solution, between // BEGIN SOLUTION, // STUB: ... and // END SOLUTION
 //   cases.h        the inputs of every check, which runner and judge both make
+//   generators.h   generates further inputs, thousands for every function (choices.h)
 //   runner.cpp     calls the student's functions with the cases (runner.h)
 //   checks.cpp     the expected answers, by the pipeline's functions or an oracle: Lab lab_NN()
 //   faults.json    planted wrong variants of the solution, with what a report must say of each
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,6 +75,8 @@ struct ExpectedWithSlip {
   std::vector<Expected> expected;
 };
 
+struct GeneratedInputs;
+
 // One input of a check. The first case that fails is reported in full.
 struct Case {
   std::string where;  // "triangle 3, vertex 1"; "pixel (10, 12)"
@@ -88,6 +92,19 @@ struct Case {
   // wrong sign, need no entry. A mistake is named only if every answer of the check is what the
   // mistake leads to.
   std::vector<ExpectedWithSlip> slipped = {};
+  // Set if the case is a class of generated inputs. It is right if every input's answer is right;
+  // then the other members but `where` are not used.
+  std::shared_ptr<const GeneratedInputs> generated = nullptr;
+};
+
+// A class of generated inputs, as the judge sees it.
+struct GeneratedInputs {
+  const char* what;
+  int count;
+  // The input that the choices make, as a case of its own.
+  std::function<Case(Choices& choices)> expect;
+  // Whether an answer to this input is right: what judging the case says, but faster.
+  std::function<bool(Choices& choices, const Answer& answer)> is_right;
 };
 
 // The command that shows the extreme case whose number the text contains, as in "... (C-43)"; empty
@@ -99,6 +116,10 @@ inline std::string extreme_case_command(const std::string& what) {
   return "\nglassbox study extremes --case " + what.substr(id, end - id);
 }
 
+// The first place where the answer to a case is wrong. It is found by Case::judge if the case has
+// that function, otherwise by comparing the expected fields in turn.
+std::optional<Divergence> judge_case(const Case& input, const Answer& answer);
+
 struct Check {
   std::string name;  // "points in front of the eye have negative z"
   std::string task;  // Task::id
@@ -109,6 +130,7 @@ struct Check {
   std::function<std::vector<Case>()> cases;
   double weight = 1;            // its part of the task's points is proportional to this
   bool all_or_nothing = false;  // points are given only if all cases are right
+  bool generated = false;       // each case is a class of generated inputs
 };
 
 // A check with one case for each of the `inputs`; expect(input) returns the case with the expected
@@ -130,6 +152,32 @@ Check hidden_check(const char* name, const char* task, const char* stage, Inputs
   Check made = check(name, task, stage, inputs, expect);
   made.hidden = true;
   return made;
+}
+
+// A check of generated inputs (choices.h). Every class of inputs is a case. expect(input) returns
+// the input as a case with the expected answer. It is called for each of some 100,000 inputs,
+// unless there is is_right(input, answer), which must say the same without making texts.
+template <class Input>
+Check generated_check(const char* name, const char* task, const char* stage,
+                      std::vector<InputClass<Input>> (*classes)(), Case (*expect)(const Input&),
+                      bool (*is_right)(const Input&, const Answer&) = nullptr) {
+  const auto cases_of = [classes, expect, is_right] {
+    std::vector<Case> cases;
+    for (const InputClass<Input>& each : classes()) {
+      const auto make = each.make;
+      const auto expect_one = [make, expect](Choices& choices) { return expect(make(choices)); };
+      const auto judge_one = [make, expect, is_right](Choices& choices, const Answer& answer) {
+        const Input input = make(choices);
+        return is_right != nullptr ? is_right(input, answer) : !judge_case(expect(input), answer);
+      };
+      Case made{.where = each.what, .restated = ""};
+      made.generated = std::make_shared<GeneratedInputs>(
+          GeneratedInputs{each.what, each.count, expect_one, judge_one});
+      cases.push_back(std::move(made));
+    }
+    return cases;
+  };
+  return {name, task, stage, false, cases_of, 1, false, true};
 }
 
 // A placeholder for the hidden checks of a task, in the program for students, which contains no

@@ -1,10 +1,13 @@
 #include "labs/framework/protocol.h"
 
+#include <bit>
 #include <limits>
 #include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "labs/framework/batch.h"
 
 namespace glassbox::labs {
 
@@ -23,10 +26,39 @@ std::optional<double> number_of(const Json& json) {
   return std::nullopt;
 }
 
-// Reads `fields` into `answer`. Returns what is wrong with them; empty if nothing is.
-std::string read_fields(const Json& fields, Answer& answer) {
-  if (!fields.is_object()) return "\"fields\" is not an object";
+// The value of a hexadecimal digit as runners write it; -1 for any other character.
+int digit_of(char c) {
+  return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+// The doubles of a batch (batch.h), whose bits are 16 hexadecimal digits each.
+std::optional<std::vector<double>> packed_numbers(const std::string& digits) {
+  if (digits.size() % 16 != 0) return std::nullopt;
+  std::vector<double> values;
+  values.reserve(digits.size() / 16);
+  for (std::size_t at = 0; at < digits.size(); at += 16) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < 16; ++i) {
+      const int digit = digit_of(digits[at + i]);
+      if (digit < 0) return std::nullopt;
+      bits = bits << 4 | std::uint64_t(digit);
+    }
+    values.push_back(std::bit_cast<double>(bits));
+  }
+  return values;
+}
+
+// Reads `fields` into `answer`, and appends `suffix` to their names. Returns what is wrong with
+// them; empty if nothing is.
+std::string read_fields(const Json& fields, const char* suffix, Answer& answer) {
+  if (!fields.is_object()) return "\"fields\" or \"sizes\" is not an object";
   for (const auto& [name, list] : fields.items()) {
+    if (list.is_string()) {
+      auto packed = packed_numbers(list.get_ref<const std::string&>());
+      if (!packed) return "a field is neither a list of numbers nor hexadecimal digits";
+      answer.emit(name + suffix, std::move(*packed));
+      continue;
+    }
     if (!list.is_array()) return "a field is not a list of numbers";
     std::vector<double> values;
     values.reserve(list.size());
@@ -35,7 +67,7 @@ std::string read_fields(const Json& fields, Answer& answer) {
       if (!value) return "a field has a value that is not a number";
       values.push_back(*value);
     }
-    answer.emit(name, std::move(values));
+    answer.emit(name + suffix, std::move(values));
   }
   return {};
 }
@@ -80,7 +112,10 @@ void read_line(std::string_view line, std::size_t number, CheckAnswers& answers)
     answer.text = threw->get<std::string>();
     return;
   }
-  if (const std::string why = read_fields(*fields, answer.answer); !why.empty()) {
+  std::string why = read_fields(*fields, "", answer.answer);
+  const auto sizes = json.find("sizes");
+  if (why.empty() && sizes != json.end()) why = read_fields(*sizes, kSizes, answer.answer);
+  if (!why.empty()) {
     answer.answer = {};
     return refuse(why);
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/process/process.h"
 #include "labs/framework/varied_inputs.h"
@@ -45,6 +46,12 @@ std::size_t first_missing(const CheckAnswers& answers, std::size_t from) {
 }
 
 }  // namespace
+
+std::string choices_text(const std::vector<std::vector<std::uint64_t>>& choices) {
+  std::vector<std::string> inputs;
+  for (const auto& each : choices) inputs.push_back(fmt::format("{}", fmt::join(each, " ")));
+  return fmt::format("{}", fmt::join(inputs, ";"));
+}
 
 RunOutcome LocalRunner::run(const RunRequest& request) {
   std::vector<std::string> argv{request.program.string()};
@@ -101,6 +108,26 @@ std::string ending_text(const RunOutcome& outcome, const RunLimits& limits) {
       return "the program could not be started" + detail;
   }
   return "";
+}
+
+CaseAnswer run_inputs(Runner& runner, const std::filesystem::path& program,
+                      const std::string& check, std::size_t index, const SomeInputs& inputs,
+                      const RunLimits& limits) {
+  std::vector<std::string> words{"--check", check, "--case", std::to_string(index)};
+  if (inputs_seed() != 0) words.insert(words.end(), {"--seed", std::to_string(inputs_seed())});
+  if (inputs.choices.empty()) {
+    words.insert(words.end(),
+                 {"--inputs", std::to_string(inputs.first), std::to_string(inputs.end)});
+  } else {
+    words.insert(words.end(), {"--choices", choices_text(inputs.choices)});
+  }
+  const RunOutcome outcome = runner.run({program, words, limits});
+  CheckAnswers answers;
+  answers.cases.resize(index + 1);
+  read_answers(outcome.answers, answers);
+  CaseAnswer& answer = answers.cases[index];
+  if (answer.state == CaseAnswer::State::kMissing) record_failure(answer, outcome, limits);
+  return answer;
 }
 
 CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,

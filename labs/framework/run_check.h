@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -66,5 +67,17 @@ std::string ending_text(const RunOutcome& outcome, const RunLimits& limits);
 inline constexpr int kMaxRestarts = 16;
 CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
                        const std::string& check, std::size_t cases, const RunLimits& limits);
+
+// Runs some of the inputs of a generated class (choices.h): those from number `first` to `end` - 1,
+// or those that the given choices make. The answer is that of the class, a batch (batch.h).
+struct SomeInputs {
+  std::size_t first = 0, end = 0;
+  std::vector<std::vector<std::uint64_t>> choices = {};  // empty: by their numbers
+};
+// The choices as a runner reads them: "1 0 2;3".
+std::string choices_text(const std::vector<std::vector<std::uint64_t>>& choices);
+CaseAnswer run_inputs(Runner& runner, const std::filesystem::path& program,
+                      const std::string& check, std::size_t index, const SomeInputs& inputs,
+                      const RunLimits& limits);
 
 }  // namespace glassbox::labs

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "labs/framework/choices.h"
+
 namespace glassbox::labs {
 
 // The answer of a student's code to one case: named lists of numbers. A point is 3 or 4 numbers, a
@@ -41,12 +43,21 @@ std::vector<double> entries(const Matrix& m, int rows = 4, int columns = 4) {
   return all;
 }
 
+// A class of generated inputs (choices.h), which is one case of its check.
+struct RunnerInputs {
+  const char* what;
+  int count;
+  // Makes the input from the choices and calls the student's functions with it.
+  std::function<void(Choices& choices, Answer& answer)> run;
+};
+
 // A check of the lab, as the runner sees it: `run` calls the student's functions with case number
-// `index`.
+// `index`. If the check has generated inputs, `generated` has its cases and `run` is not used.
 struct RunnerCheck {
   std::string name;  // as Check::name of lab.h
   int cases = 0;
-  std::function<void(int index, Answer& answer)> run;
+  std::function<void(int index, Answer& answer)> run = nullptr;
+  std::vector<RunnerInputs> generated = {};
 };
 
 // A check that calls `ask` (which passes an input to the student's functions) for each of `inputs`.
@@ -54,6 +65,19 @@ template <class Input, class Ask>
 RunnerCheck check(const char* name, const std::vector<Input>& inputs, Ask ask) {
   return {name, int(inputs.size()),
           [inputs, ask](int index, Answer& answer) { ask(inputs[std::size_t(index)], answer); }};
+}
+
+// A check with generated inputs: calls `ask` for each input of each class.
+template <class Input, class Ask>
+RunnerCheck generated_check(const char* name, const std::vector<InputClass<Input>>& classes,
+                            Ask ask) {
+  RunnerCheck check{name, int(classes.size())};
+  for (const InputClass<Input>& each : classes)
+    check.generated.push_back(
+        {each.what, each.count, [make = each.make, ask](Choices& choices, Answer& answer) {
+           ask(make(choices), answer);
+         }});
+  return check;
 }
 
 // Defined by the lab's runner.cpp.

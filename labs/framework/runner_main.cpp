@@ -6,6 +6,14 @@
 //   runner --check NAME [--from N] [--case N] [--out-fd N]
 //                    {"case": 0, "fields": {"name": [1, "nan"]}} for each case, and
 //                    {"case": 1, "threw": "what"} where the function threw
+//   runner --check NAME --case N --inputs FIRST END
+//   runner --check NAME --case N --choices '1 0 2;3'
+//                    of a class of generated inputs only these: by their numbers FIRST to END - 1,
+//                    or made from the given choices
+//
+// The answers to the inputs of a class are in one line. A field then has the numbers of all
+// answers, one after the other, each as 16 hexadecimal digits, and "sizes" says how many each
+// answer has (batch.h).
 //
 // Every line is written before the next case starts, so that a crash does not lose the earlier
 // answers. --case runs one case only, for a debugger. Uses only the standard library, because
@@ -23,7 +31,9 @@
 namespace {
 
 using glassbox::labs::Answer;
+using glassbox::labs::Choices;
 using glassbox::labs::RunnerCheck;
+using glassbox::labs::RunnerInputs;
 
 std::uint64_t the_seed = 0;
 
@@ -74,14 +84,97 @@ std::string fields_of(const Answer& answer) {
   return line + '}';
 }
 
+// The answers to many inputs: for each field all numbers, and how many of them each answer has.
+class Batch {
+public:
+  void add(const Answer& answer) {
+    for (const Answer::Field& field : answer.fields()) {
+      Field& all = named(field.name);
+      all.sizes.resize(inputs_, -1);  // the answers before have no such field
+      all.sizes.push_back(double(field.values.size()));
+      all.values.insert(all.values.end(), field.values.begin(), field.values.end());
+    }
+    ++inputs_;
+  }
+  std::string text() {
+    std::string line = "\"fields\": {";
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      if (i > 0) line += ", ";
+      append_string(line, fields_[i].name);
+      line += ": \"";
+      for (const double value : fields_[i].values) append_bits(line, value);
+      line += '"';
+    }
+    line += "}, \"sizes\": {";
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      if (i > 0) line += ", ";
+      append_string(line, fields_[i].name);
+      line += ": [";
+      fields_[i].sizes.resize(inputs_, -1);
+      append_sizes(line, fields_[i].sizes);
+      line += ']';
+    }
+    return line + '}';
+  }
+
+private:
+  struct Field {
+    std::string name;
+    std::vector<double> values, sizes;
+  };
+  Field& named(const std::string& name) {
+    for (Field& field : fields_) {
+      if (field.name == name) return field;
+    }
+    fields_.push_back({name, {}, {}});
+    return fields_.back();
+  }
+  static void append_bits(std::string& line, double value) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    for (int shift = 60; shift >= 0; shift -= 4) line += "0123456789abcdef"[(bits >> shift) & 15];
+  }
+  // One number if all answers have the same size.
+  static void append_sizes(std::string& line, const std::vector<double>& sizes) {
+    bool same = true;
+    for (const double size : sizes) same = same && size == sizes[0];
+    for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i)
+      line += (i > 0 ? ", " : "") + std::to_string(int(sizes[i]));
+  }
+
+  std::vector<Field> fields_;
+  std::size_t inputs_ = 0;
+};
+
 std::string threw(const std::string& what) {
   std::string line = "\"threw\": ";
   append_string(line, what.substr(0, 500));
   return line;
 }
 
-std::string answered(const RunnerCheck& check, int index) {
+// Which inputs of a class are run; all of them if there are no choices and `end` is 0.
+struct Chosen {
+  int first = 0, end = 0;
+  std::vector<std::vector<std::uint64_t>> choices;
+};
+
+std::string batch_of(const RunnerInputs& inputs, const Chosen& chosen) {
+  Batch batch;
+  const auto run = [&](Choices choices) {
+    Answer answer;
+    inputs.run(choices, answer);
+    batch.add(answer);
+  };
+  for (const auto& each : chosen.choices) run(Choices(each));
+  const int end = !chosen.choices.empty() ? 0 : chosen.end > 0 ? chosen.end : inputs.count;
+  for (int i = chosen.first; i < end && i < inputs.count; ++i)
+    run(Choices(glassbox::labs::input_seed(the_seed, inputs.what, i)));
+  return batch.text();
+}
+
+std::string answered(const RunnerCheck& check, int index, const Chosen& chosen) {
   try {
+    if (!check.generated.empty()) return batch_of(check.generated[std::size_t(index)], chosen);
     Answer answer;
     check.run(index, answer);
     return fields_of(answer);
@@ -92,16 +185,32 @@ std::string answered(const RunnerCheck& check, int index) {
   }
 }
 
-int run(const RunnerCheck& check, int from, int only, std::FILE* out) {
+int run(const RunnerCheck& check, int from, int only, const Chosen& chosen, std::FILE* out) {
   const int first = only >= 0 ? only : from;
   const int last = only >= 0 ? only + 1 : check.cases;
   for (int index = first; index < last && index < check.cases; ++index) {
     const std::string line =
-        "{\"case\": " + std::to_string(index) + ", " + answered(check, index) + "}\n";
+        "{\"case\": " + std::to_string(index) + ", " + answered(check, index, chosen) + "}\n";
     if (std::fwrite(line.data(), 1, line.size(), out) != line.size() || std::fflush(out) != 0)
       return 1;
   }
   return 0;
+}
+
+// Reads "1 0 2;3": numbers of one input, and those of the next after a semicolon.
+std::vector<std::vector<std::uint64_t>> read_choices(const char* text) {
+  std::vector<std::vector<std::uint64_t>> all(1);
+  while (*text != '\0') {
+    if (*text == ';') all.emplace_back();
+    if (*text < '0' || *text > '9') {
+      ++text;
+      continue;
+    }
+    char* end = nullptr;
+    all.back().push_back(std::strtoull(text, &end, 10));
+    text = end;
+  }
+  return all;
 }
 
 int list(std::FILE* out) {
@@ -117,8 +226,9 @@ int list(std::FILE* out) {
 int usage(const char* program) {
   std::fprintf(stderr,
                "usage: %s --list\n"
-               "       %s --check NAME [--case N | --from N] [--seed N] [--out-fd N]\n",
-               program, program);
+               "       %s --check NAME [--case N | --from N] [--seed N] [--out-fd N]\n"
+               "       %s --check NAME --case N --inputs FIRST END | --choices '1 0 2;3'\n",
+               program, program, program);
   return 2;
 }
 
@@ -132,6 +242,7 @@ int main(int argc, char** argv) {
   std::string name;
   bool listing = false, named = false;
   int from = 0, only = -1, out_fd = 1;
+  Chosen chosen;
   for (int i = 1; i < argc; ++i) {
     const bool more = i + 1 < argc;
     if (std::strcmp(argv[i], "--list") == 0) {
@@ -145,13 +256,18 @@ int main(int argc, char** argv) {
       only = std::atoi(argv[++i]);
     } else if (std::strcmp(argv[i], "--seed") == 0 && more) {
       the_seed = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--inputs") == 0 && i + 2 < argc) {
+      chosen.first = std::atoi(argv[++i]);
+      chosen.end = std::atoi(argv[++i]);
+    } else if (std::strcmp(argv[i], "--choices") == 0 && more) {
+      chosen.choices = read_choices(argv[++i]);
     } else if (std::strcmp(argv[i], "--out-fd") == 0 && more) {
       out_fd = std::atoi(argv[++i]);
     } else {
       return usage(argv[0]);
     }
   }
-  if (listing == named || from < 0) return usage(argv[0]);
+  if (listing == named || from < 0 || chosen.first < 0) return usage(argv[0]);
   std::FILE* out = out_fd == 1 ? stdout : fdopen(out_fd, "w");
   if (out == nullptr) {
     std::perror("runner: --out-fd");
@@ -159,7 +275,7 @@ int main(int argc, char** argv) {
   }
   if (listing) return list(out);
   for (const RunnerCheck& check : glassbox::labs::runner_checks()) {
-    if (check.name == name) return run(check, from, only, out);
+    if (check.name == name) return run(check, from, only, chosen, out);
   }
   std::fprintf(stderr, "%s: no check is called \"%s\"; --list names them\n", argv[0], name.c_str());
   return 2;

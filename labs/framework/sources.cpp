@@ -95,6 +95,9 @@ Result<std::vector<SourceFile>> support_files(const Sources& sources, const std:
   std::vector<Wanted> wanted;
   for (const char* name : {"student.h", "cases.h", "runner.cpp"})
     wanted.push_back({sources.folder_of(folder) / name, name});
+  // A lab may have generated inputs.
+  if (const fs::path generators = sources.folder_of(folder) / "generators.h"; is_file(generators))
+    wanted.push_back({generators, "generators.h"});
   const auto want_of_framework = [&](const std::string& name) {
     wanted.push_back({sources.labs / "framework" / name, "labs/framework/" + name});
   };

@@ -9,6 +9,7 @@
 #include "labs/framework/lab_points.h"
 #include "labs/framework/run_check.h"
 #include "labs/framework/run_in_parallel.h"
+#include "labs/framework/shrink.h"
 #include "labs/grading/compile.h"
 #include "labs/grading/sanitizer_report.h"
 
@@ -64,6 +65,8 @@ public:
     run_in_parallel(
         chosen.size(), [&](std::size_t k) { run_one_check(program, starter, chosen[k]); },
         request_.max_parallel_checks);
+    // One after the other, because each starts many processes, and their number is limited.
+    for (const std::size_t i : chosen) shrink_first_failure(program, i);
   }
 
   std::vector<CheckResult> results;
@@ -80,11 +83,24 @@ private:
                          points_of_case(request_.lab, check, cases_[i].size()));
     check_outcomes[i] = check_outcome(result, runner.processes());
     if (request_.compile_options.sanitize) report_sanitizer_finding(result, check_outcomes[i]);
-    if (result.right > 0 || starter.empty()) return;
-    SandboxRunner other(request_.sandbox, request_.limits);
-    if (!same_answers(answers, answers_of(other, starter, i))) return;
-    result.verdict = result.first->verdict = Verdict::kUntouched;
-    check_outcomes[i] = verdict_name(Verdict::kUntouched);
+    if (is_untouched(result, answers, starter, i)) {
+      result.verdict = result.first->verdict = Verdict::kUntouched;
+      check_outcomes[i] = verdict_name(Verdict::kUntouched);
+    }
+  }
+
+  void shrink_first_failure(const fs::path& program, std::size_t i) {
+    SandboxRunner runner(request_.sandbox, request_.limits, request_.compile_options.sanitize,
+                         &time_);
+    shrink_failure(results[i], cases_[i], runner, program, run_limits());
+  }
+
+  // Whether every answer is the starter's.
+  bool is_untouched(const CheckResult& result, const CheckAnswers& answers, const fs::path& starter,
+                    std::size_t i) const {
+    if (result.right > 0 || starter.empty()) return false;
+    SandboxRunner runner(request_.sandbox, request_.limits);
+    return same_answers(answers, answers_of(runner, starter, i));
   }
 
   // Names the sanitizer's finding as the outcome in place of a crash. A sanitizer ends the process
@@ -97,9 +113,12 @@ private:
   }
 
   CheckAnswers answers_of(Runner& runner, const fs::path& program, std::size_t i) const {
+    return run_check(runner, program, request_.lab.checks[i].name, cases_[i].size(), run_limits());
+  }
+
+  RunLimits run_limits() const {
     const Limits& limits = request_.limits;
-    return run_check(runner, program, request_.lab.checks[i].name, cases_[i].size(),
-                     {limits.seconds, limits.output_bytes, limits.kept_bytes});
+    return {limits.seconds, limits.output_bytes, limits.kept_bytes};
   }
 
   const GradeRequest& request_;

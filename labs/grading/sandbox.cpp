@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -60,6 +62,26 @@ std::vector<std::string> bubblewrap_command(const std::string& bubblewrap, bool 
       "--hostname", "sandbox",       "--cap-drop",        "ALL"};
   if (filtered) words.insert(words.end(), {"--seccomp", std::to_string(kFilterFd)});
   return words;
+}
+
+// Whether bubblewrap could not start the program because of the limit on processes.
+bool lacks_processes(const RunOutcome& outcome) {
+  return outcome.ending == RunOutcome::Ending::kExit && outcome.code == 1 &&
+         outcome.answers.empty() && outcome.seconds < 0.5 &&
+         outcome.printed.starts_with("bwrap: ") &&
+         outcome.printed.find("Resource temporarily unavailable") != std::string::npos;
+}
+
+// Launches the program. Linux still counts the processes of namespaces that it has not removed yet:
+// after 200 quick runs in bubblewrap they can be 64, which is the limit. Then this waits and tries
+// again, for 4 seconds at most.
+RunOutcome launch_patiently(const Launch& job) {
+  RunOutcome outcome = launch(job);
+  for (int tries = 0; tries < 80 && job.in_bubblewrap && lacks_processes(outcome); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    outcome = launch(job);
+  }
+  return outcome;
 }
 
 std::vector<std::string> plain_environment(const std::string& temporary) {
@@ -199,10 +221,10 @@ RunOutcome Sandbox::launch_confined(const std::vector<std::string>& command,
     }
     words.insert(words.end(), {"--chdir", may_write ? directory.string() : "/", "--"});
     words.insert(words.end(), command.begin(), command.end());
-    return launch(job);
+    return launch_patiently(job);
   }
   job.command = command;
-  if (confinement_ != Confinement::kLandlock) return launch(job);
+  if (confinement_ != Confinement::kLandlock) return launch_patiently(job);
   std::vector<fs::path> seen = compiler_files();
   seen.insert(seen.end(), traditional_directories().begin(), traditional_directories().end());
   seen.insert(seen.end(), readable.begin(), readable.end());
@@ -214,7 +236,7 @@ RunOutcome Sandbox::launch_confined(const std::vector<std::string>& command,
   }
   const FileRules rules(seen, written);
   job.file_rules = rules.descriptor();
-  return launch(job);
+  return launch_patiently(job);
 }
 
 RunOutcome Sandbox::compile(const std::vector<std::string>& command, const fs::path& build,
@@ -272,10 +294,10 @@ RunOutcome Sandbox::run(const fs::path& program, const std::vector<std::string>&
   }
   job.command.insert(job.command.end(), arguments.begin(), arguments.end());
   job.command.insert(job.command.end(), {"--out-fd", std::to_string(kAnswersFd)});
-  if (confinement_ != Confinement::kLandlock) return launch(job);
+  if (confinement_ != Confinement::kLandlock) return launch_patiently(job);
   const FileRules rules({program}, {});
   job.file_rules = rules.descriptor();
-  return launch(job);
+  return launch_patiently(job);
 }
 
 double TimeBudget::remaining(double most) const {

@@ -27,12 +27,16 @@ public:
   ScopedFault& operator=(const ScopedFault&) = delete;
 };
 
-// Returns the task's first check that is not right; the checks that a student is given come before
-// the hidden ones.
-const CheckResult* found_by(const LabResult& result, const Fault& fault, bool hidden_too = true) {
-  for (const bool hidden : {false, true}) {
+// Returns the task's first check that is not right. The cases that a student is given come first,
+// then the hidden ones, then generated inputs.
+const CheckResult* found_by(const LabResult& result, const Fault& fault,
+                            bool visible_only = false) {
+  const auto rank = [](const CheckResult& check) {
+    return check.generated ? 2 : check.hidden ? 1 : 0;
+  };
+  for (const int wanted : {0, 1, 2}) {
     for (const CheckResult& check : result.checks) {
-      const bool asked = check.hidden == hidden && (!hidden || hidden_too);
+      const bool asked = rank(check) == wanted && !(visible_only && check.hidden);
       if (asked && check.task == fault.task && check.first) return &check;
     }
   }
@@ -112,7 +116,7 @@ Found find_all(const Lab& lab, const test::DailyShare& share) {
       }
     }
     CHECK(named);
-    if (fault.headline) CHECK(found_by(result, fault, false) != nullptr);
+    if (fault.headline) CHECK(found_by(result, fault, true) != nullptr);
     all.rows.push_back(row_of(chosen[i].number, fault, *check));
   }
   all.faults = faults.size();
