@@ -4,8 +4,8 @@
 #include <chrono>
 #include <mutex>
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace glassbox {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace glassbox {
 
-// One line for each picture that does not pass: the workflow command ::error (GitHub: Workflow
+// One line for each picture that does not pass: the workflow command "error" (GitHub: Workflow
 // commands for GitHub Actions), with the path of the reference and the text of comparison_line and
 // comparison_details. GitHub shows the first ten of a step. Empty if all pictures pass.
 std::string github_annotations(std::span<const Comparison> comparisons);

@@ -17,7 +17,8 @@ const json kLens = {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"zne
 Result<Scene> with_camera(const json& camera, std::vector<json> chain) {
   GltfBuilder b;
   b.triangle();
-  b.document["cameras"] = {camera};
+  // With braces alone, clang++ makes a copy of the camera in place of a list.
+  b.document["cameras"] = json::array({camera});
   json& nodes = b.document["nodes"];
   chain.back()["camera"] = 0;
   const std::size_t first = nodes.size();

@@ -119,7 +119,8 @@ TEST_CASE("lab check --sanitize names the line of the student's file") {
       "= v[i];",
       "heap-buffer-overflow");
   line_is("volatile int big = 2147483647; big = big + 1;", "signed integer overflow");
-  line_is("*(volatile int*)nullptr = 1;", "null pointer");
+  // clang++ takes a null pointer that it knows for granted; this one it must load.
+  line_is("int* volatile none = nullptr; *none = 1;", "null pointer");
 }
 
 TEST_CASE("the debugger sees the variables of the failing case") {

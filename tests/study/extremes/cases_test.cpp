@@ -134,6 +134,7 @@ TEST_CASE("the list of extreme cases has C-01 to C-79 once each, done or left ou
 }
 
 TEST_CASE("a division by zero, an overflow and an invalid operation are noticed", "[extremes]") {
+  if (kExceptions == 0) SKIP_TEST("the flags of clang++'s code say nothing about the source");
   const RaisedExceptions exceptions;
   const volatile double zero = 0, large = 1e308;
   const volatile double quotient = 1 / zero, product = large * 10, nothing = zero / zero;

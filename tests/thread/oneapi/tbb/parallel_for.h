@@ -2,6 +2,9 @@
 // (preset `thread`). The library itself is compiled without the sanitizer, which therefore does not
 // see how its threads wait for one another and reports every hand-over as a race. Here threads are
 // started and joined, which the sanitizer sees, and nothing else orders what tasks do.
+//
+// It replaces what a source includes as <oneapi/tbb/...>. Sources that these builds do not test
+// include <tbb/...>, and get the library.
 #pragma once
 
 #include <algorithm>
