@@ -10,7 +10,8 @@
 
 #include "exact/matrix.h"
 #include "exact/number.h"
-#include "labs/12-layers/cases.h"
+#include "labs/12-layers/generators.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -55,7 +56,24 @@ std::vector<Expected> packed_fields(const PackCase& input, bool from_bottom) {
       first.push_back(double(depths.size()));
     }
   }
-  return {numbers("offsets", first), numbers("depths", depths), numbers("colours", colours)};
+  return {numbers("offsets", first), numbers("depths", depths), numbers("colours", colours),
+          numbers("width and height", {double(input.width), double(input.height)})};
+}
+
+bool is_right_field(const Answer& answer, const Expected& expected) {
+  const auto* actual = find_field(answer, expected.field);
+  return actual != nullptr &&
+         std::ranges::equal(*actual, expected.values, [&](double given, double right) {
+           return distance_between(right, given) <= expected.bound;
+         });
+}
+bool are_right_fields(const Answer& answer, const std::vector<Expected>& expected) {
+  return std::ranges::all_of(expected,
+                             [&](const Expected& each) { return is_right_field(answer, each); });
+}
+
+bool right_packed(const PackCase& input, const Answer& answer) {
+  return are_right_fields(answer, packed_fields(input, true));
 }
 
 Case expect_packed(const PackCase& input) {
@@ -162,6 +180,7 @@ std::vector<Expected> row_fields(const RowCase& input, const Screens& warp, doub
       const int row = int(i);
       const double start = warp.at(row, 0) * (double(x) + middle) +
                            warp.at(row, 1) * (input.y + middle) + warp.at(row, 3);
+      largest[i] = std::max(largest[i], std::abs(start));
       for (const float z : input.depths[x]) {
         const double added = double(z) * warp.at(row, 2);
         all[i].push_back(start + added);
@@ -204,21 +223,54 @@ Case expect_row(const RowCase& input) {
                       {"row-column-order", row_fields(input, transposed(input.warp), 0.5)}}};
 }
 
+bool right_row(const RowCase& input, const Answer& answer) {
+  return are_right_fields(answer, row_fields(input, input.warp, 0.5));
+}
+
 // ---- sizes ----
 
-// The bound 8 u: two quotients, a root and a product round in the student's answer and in ours, 4
-// times each.
+struct ExactSize {
+  long double side = 0;     // before the limits; infinite if the first eye sees the surface edge-on
+  bool may_be_cut = false;  // whether is_cut may be true
+  bool may_be_uncut = false;
+};
+ExactSize exact_size(const SizeCase& input) {
+  using Long = long double;
+  if (input.cosine_first == 0) return {HUGE_VALL, true, false};
+  const Long side = Long(input.focal_ratio) / Long(input.w) *
+                    std::sqrt(Long(input.cosine_second) / Long(input.cosine_first));
+  // Exactly 64 px is not cut. A size that rounding may bring to 64 px may be either.
+  const bool is_near = std::abs(side - 64) <= 8 * Long(unit_roundoff<double>) * 64 && side != 64;
+  return {side, side > 64 || is_near, side <= 64 || is_near};
+}
+double drawn_side(const ExactSize& exact) {
+  return double(std::clamp<long double>(exact.side, 1, 64));
+}
+
+bool right_size(const SizeCase& input, const Answer& answer) {
+  const ExactSize exact = exact_size(input);
+  const double drawn = drawn_side(exact);
+  const auto* cut = find_field(answer, "is cut");
+  return is_right_field(answer, numbers("side", {drawn}, 8 * unit_roundoff<double> * drawn)) &&
+         cut != nullptr && cut->size() == 1 &&
+         (((*cut)[0] == 1 && exact.may_be_cut) || ((*cut)[0] == 0 && exact.may_be_uncut));
+}
+
+// The bound 8 u: two quotients, a root and a product round in the student's answer, 4 times. Ours
+// is computed in long double and rounds once.
 Case expect_size(const SizeCase& input) {
   const auto& [what, ratio, w, first, second] = input;
-  const bool at_edge = first == 0;
-  const double side = at_edge ? INFINITY : ratio / w * std::sqrt(second / first);
-  const double drawn = std::clamp(side, 1.0, 64.0);
+  const ExactSize exact = exact_size(input);
+  const double drawn = drawn_side(exact);
+  std::vector<Expected> expected{numbers("side", {drawn}, 8 * unit_roundoff<double> * drawn, "px")};
+  // Where rounding decides whether the sample is cut, this is not judged.
+  if (!exact.may_be_cut || !exact.may_be_uncut)
+    expected.push_back(numbers("is cut", {exact.may_be_cut ? 1.0 : 0.0}));
   return {.where = what,
           .restated = fmt::format("F2/F1 = {}, d2/d1 = {}, cosines {} and {}; l = {:.9g} px", ratio,
-                                  w, first, second, side) +
+                                  w, first, second, double(exact.side)) +
                       extreme_case_command(what),
-          .expected = {numbers("side", {drawn}, 8 * unit_roundoff<double> * drawn, "px"),
-                       numbers("is cut", {side > 64 ? 1.0 : 0.0})}};
+          .expected = expected};
 }
 
 // ---- orders ----
@@ -248,6 +300,20 @@ Case expect_order(const OrderCase& input) {
           .expected = {numbers("order", order)}};
 }
 
+// The contract's limits on epipole and w keep the fused multiplication and addition from overflow
+// and underflow, so the sign of its result is exact.
+bool right_order(const OrderCase& input, const Answer& answer) {
+  const auto* order = find_field(answer, "order");
+  if (order == nullptr || order->size() != std::size_t(input.count)) return false;
+  std::size_t at = 0;
+  const auto grows = [&](int i) { return std::fma(-(i + 0.5), input.w, input.epipole) > 0; };
+  for (int i = 0; i < input.count; ++i)
+    if (grows(i) && (*order)[at++] != i) return false;
+  for (int i = input.count; i-- > 0;)
+    if (!grows(i) && (*order)[at++] != i) return false;
+  return true;
+}
+
 // ---- pictures ----
 
 struct Rule {
@@ -271,7 +337,7 @@ std::vector<Expected> picture_fields(const Canvas& canvas, const Rule& rule) {
           return place - half < middle && middle <= place + half;
         };
         if (!covers(double(sample.at.x) / w, i) || !covers(double(sample.at.y) / w, j)) continue;
-        const bool in_front = z > depth || (rule.last_of_equals && z == depth);
+        const bool in_front = seen == nullptr || z > depth || (rule.last_of_equals && z == depth);
         if (canvas.hiding == Hiding::kNearest && !in_front) continue;
         seen = &sample;
         depth = z;
@@ -279,7 +345,12 @@ std::vector<Expected> picture_fields(const Canvas& canvas, const Rule& rule) {
       shown.push_back(number_of_colour(seen != nullptr ? seen->colour : canvas.background));
     }
   }
-  return {matrix("samples shown", canvas.width, shown)};
+  return {matrix("samples shown", canvas.width, shown),
+          numbers("width and height", {double(canvas.width), double(canvas.height)})};
+}
+
+bool right_picture(const DrawCase& input, const Answer& answer) {
+  return are_right_fields(answer, picture_fields(input.canvas, {}));
 }
 
 Case expect_picture(const DrawCase& input) {
@@ -303,27 +374,37 @@ Case expect_picture(const DrawCase& input) {
 }  // namespace
 
 Lab lab_12() {
-  return {12,
-          "12-layers",
-          "Layered depth images: packed, warped, splatted",
-          {{"12.1", "Lists of samples, packed", 20},
-           {"12.2", "From one picture to the other", 15},
-           {"12.3", "A row, step by step", 20},
-           {"12.4", "How large a sample is", 10},
-           {"12.5", "Who is visited later is nearer", 15},
-           {"12.6", "Samples in a picture", 20}},
-          {check("samples are packed", "12.1", "eye", packs, expect_packed),
-           hidden_check("other samples are packed", "12.1", "eye", hidden_packs, expect_packed),
-           check("the matrix from picture to picture", "12.2", "clip", matrices, expect_matrix),
-           hidden_check("the matrix of other eyes", "12.2", "clip", hidden_matrices, expect_matrix),
-           check("rows are warped step by step", "12.3", "screen", rows, expect_row),
-           hidden_check("rows of other samples", "12.3", "screen", hidden_rows, expect_row),
-           check("how large a sample is", "12.4", "coverage", sizes, expect_size),
-           hidden_check("other sizes", "12.4", "coverage", hidden_sizes, expect_size),
-           check("the order of visits", "12.5", "depth", orders, expect_order),
-           hidden_check("other orders", "12.5", "depth", hidden_orders, expect_order),
-           check("samples in a picture", "12.6", "shading", pictures, expect_picture),
-           hidden_check("other pictures", "12.6", "shading", hidden_pictures, expect_picture)}};
+  return {
+      12,
+      "12-layers",
+      "Layered depth images: packed, warped, splatted",
+      {{"12.1", "Lists of samples, packed", 20},
+       {"12.2", "From one picture to the other", 15},
+       {"12.3", "A row, step by step", 20},
+       {"12.4", "How large a sample is", 10},
+       {"12.5", "Who is visited later is nearer", 15},
+       {"12.6", "Samples in a picture", 20}},
+      {check("samples are packed", "12.1", "eye", packs, expect_packed),
+       generated_check("any samples are packed", "12.1", "eye", generated_packs, expect_packed,
+                       right_packed),
+       hidden_check("other samples are packed", "12.1", "eye", hidden_packs, expect_packed),
+       check("the matrix from picture to picture", "12.2", "clip", matrices, expect_matrix),
+       generated_check("the matrix of any two eyes", "12.2", "clip", generated_matrices,
+                       expect_matrix),
+       hidden_check("the matrix of other eyes", "12.2", "clip", hidden_matrices, expect_matrix),
+       check("rows are warped step by step", "12.3", "screen", rows, expect_row),
+       generated_check("any row", "12.3", "screen", generated_rows, expect_row, right_row),
+       hidden_check("rows of other samples", "12.3", "screen", hidden_rows, expect_row),
+       check("how large a sample is", "12.4", "coverage", sizes, expect_size),
+       generated_check("any size", "12.4", "coverage", generated_sizes, expect_size, right_size),
+       hidden_check("other sizes", "12.4", "coverage", hidden_sizes, expect_size),
+       check("the order of visits", "12.5", "depth", orders, expect_order),
+       generated_check("any order", "12.5", "depth", generated_orders, expect_order, right_order),
+       hidden_check("other orders", "12.5", "depth", hidden_orders, expect_order),
+       check("samples in a picture", "12.6", "shading", pictures, expect_picture),
+       generated_check("any picture", "12.6", "shading", generated_pictures, expect_picture,
+                       right_picture),
+       hidden_check("other pictures", "12.6", "shading", hidden_pictures, expect_picture)}};
 }
 
 }  // namespace glassbox::labs

@@ -1,6 +1,6 @@
 // Calls your functions with the cases of lab 12.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_12 {
@@ -16,6 +16,7 @@ void packed(const PackCase& input, Answer& answer) {
   std::vector<double> colours;
   for (const Rgba8& colour : layers.colour) colours.push_back(number_of_colour(colour));
   answer.emit("colours", colours);
+  answer.emit("width and height", {double(layers.width), double(layers.height)});
 }
 
 void matrix(const MatrixCase& input, Answer& answer) {
@@ -56,8 +57,10 @@ void order(const OrderCase& input, Answer& answer) {
 
 void picture(const DrawCase& input, Answer& answer) {
   std::vector<double> colours;
-  for (const Rgba8& pixel : draw(input.canvas).pixels) colours.push_back(number_of_colour(pixel));
+  const Image<Rgba8> drawn = draw(input.canvas);
+  for (const Rgba8& pixel : drawn.pixels) colours.push_back(number_of_colour(pixel));
   answer.emit("samples shown", colours);
+  answer.emit("width and height", {double(drawn.width), double(drawn.height)});
 }
 
 }  // namespace
@@ -71,6 +74,12 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("rows are warped step by step", rows(), row),
       check("how large a sample is", sizes(), size), check("the order of visits", orders(), order),
       check("samples in a picture", pictures(), picture),
+      generated_check("any samples are packed", generated_packs(), packed),
+      generated_check("the matrix of any two eyes", generated_matrices(), matrix),
+      generated_check("any row", generated_rows(), row),
+      generated_check("any size", generated_sizes(), size),
+      generated_check("any order", generated_orders(), order),
+      generated_check("any picture", generated_pictures(), picture),
       // BEGIN HIDDEN
       check("other samples are packed", hidden_packs(), packed),
       check("the matrix of other eyes", hidden_matrices(), matrix),

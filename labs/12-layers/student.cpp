@@ -99,7 +99,8 @@ std::vector<int> visiting_order(double epipole, double w, int count) {
   // BEGIN SOLUTION
   std::vector<int> growing, falling;
   for (int i = 0; i < count; ++i) {
-    const bool grows = epipole - (i + 0.5) * w > 0;
+    // One rounding, which keeps the sign: with two, an epipole beside a centre could seem on it.
+    const bool grows = std::fma(-(i + 0.5), w, epipole) > 0;
     (grows ? growing : falling).push_back(i);
   }
   growing.insert(growing.end(), falling.rbegin(), falling.rend());
@@ -113,7 +114,7 @@ std::vector<int> visiting_order(double epipole, double w, int count) {
 Image<Rgba8> draw(const Canvas& canvas) {
   // BEGIN SOLUTION
   Image<Rgba8> picture(canvas.width, canvas.height, canvas.background);
-  Image<double> nearest(canvas.width, canvas.height, 0);
+  Image<double> nearest(canvas.width, canvas.height, -INFINITY);
   for (const Placed& sample : canvas.samples) {
     const double w = sample.at.w;
     if (!(w > 0)) continue;

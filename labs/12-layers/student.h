@@ -39,8 +39,8 @@ struct Layers {
 };
 
 // Task 12.1. Packs samples, which come in any order and are all inside the picture. A sample is
-// *near* to one in front of it, whose depth is z, if the depths differ by at most epsilon z,
-// computed in double. In each pixel, from front to back: the first sample is kept and absorbs all
+// *near* to one in front of it, whose depth is z, if the difference of the depths is at most the
+// product epsilon z, both computed in double. In each pixel, from front to back: the first sample is kept and absorbs all
 // that are near to it, then the first of the rest is kept and absorbs all that are near to it, and
 // so on; an absorbed sample absorbs nothing. Among equal depths the first of `samples` is in front.
 // Exact.
@@ -63,9 +63,11 @@ Transform<Screen, Screen> warp_matrix(const Transform<Screen, World>& first,
 // Task 12.3. Row y of the first picture, warped. depths[x] are the depths of the samples of pixel
 // (x, y). One answer for each sample, pixels from left to right, the samples of a pixel in their
 // order; in float.
-// Error bound of each coordinate: 72 u (u of float) times the largest value that |start| + |z1
-// column| has in the row for that coordinate, where start is warp * (x + 1/2, y + 1/2, 0, 1) and
-// column the third column of warp. Rows may be 16,384 px long.
+// Error bound of each coordinate: 72 u (u of float) times the largest value that |start| at any of
+// the row's pixels, or |start| + |z1 column| at any of its samples, has for that coordinate, where
+// start is warp * (x + 1/2, y + 1/2, 0, 1) and column the third column of warp. Rows may be 16,384
+// px long. Nothing overflows or underflows: depths and entries of warp that are not 0 have
+// magnitudes of 2^-64 to 2^32.
 std::vector<Warped> warp_row(const Transform<Screen, Screen>& warp, int y,
                              const std::vector<std::vector<float>>& depths);
 
@@ -79,7 +81,9 @@ struct Splat {
 // is F2/F1, the second eye's focal length over the first eye's; w > 0 is d2/d1, the ratio of the
 // distances. The cosines, 0 to 1, are those of the angles between the surface's normal and the
 // lines to the two eyes. A surface that the first eye saw exactly edge-on (cosine 0) is cut to 64
-// px. Error bound of the side: 8 u side.
+// px. No number is below 2^-149, except a cosine that is 0, or 2^128 or more, so nothing overflows in
+// double. Error bound of the side: 8 u side; where l is not 64 but closer to 64 than that bound,
+// is_cut may be either.
 Splat splat_size(double focal_ratio, double w, double cosine_first, double cosine_second);
 
 // Task 12.5. The order in which the columns 0 .. count - 1 of the first picture (or its rows) are
@@ -89,7 +93,9 @@ Splat splat_size(double focal_ratio, double w, double cosine_first, double cosin
 // first eye, and epipole / w is where the line through both eyes meets the picture. With w = 0 it
 // is to the side: to the right (or below) if epipole > 0. The position of a column is its centre.
 // First come all columns that are visited with growing numbers, then all that are visited with
-// falling numbers. A column whose centre is the epipole is visited with falling numbers. Exact.
+// falling numbers. A column whose centre is the epipole is visited with falling numbers. Exact, also
+// for a centre that is one rounding step of `epipole` beside it. epipole and w are not both 0; those
+// that are not 0 have magnitudes of 2^-900 to 2^901, and count is at least 0.
 std::vector<int> visiting_order(double epipole, double w, int count);
 
 // A sample on its way into the second picture: a square around its position.
@@ -114,7 +120,8 @@ struct Canvas {
 // Task 12.6. The second picture. A sample is drawn if w > 0 and its depth z w / w is at most 1: not
 // if it is behind the eye or nearer than the near plane. It covers those pixels whose centres are
 // in (x - side/2, x + side/2] and (y - side/2, y + side/2], with x = x w / w in double, and y
-// likewise. It may be outside the picture, or as far away as a float can express. Exact: no pixel
+// likewise. It may be outside the picture, or as far away as a float can express; its
+// depth may be 0 or below. A side has any size, 0 (no pixels) or more. Exact: no pixel
 // centre is within 2^-20 px of an edge of the square, unless x, y and side have so few digits that
 // nothing is rounded.
 Image<Rgba8> draw(const Canvas& canvas);

@@ -1,9 +1,12 @@
 // The expected answers of lab 13, from reference.h, which follows the definitions word for word.
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "labs/13-voxels/cases.h"
+#include "labs/13-voxels/generators.h"
 #include "labs/13-voxels/reference.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -51,13 +54,18 @@ Case expect_verdict(const JudgeCase& input) {
           {numbers("verdict", {double(voxels::judge(input.pictures, input.threshold))})}};
 }
 
-Case expect_pixels(const FootprintCase& input) {
+std::vector<double> columns_and_rows(const FootprintCase& input) {
   std::vector<double> all;
   for (const PixelAt& pixel :
        voxels::footprint(input.pixel_from_grid, input.voxel, input.width, input.height)) {
     all.push_back(pixel.column);
     all.push_back(pixel.row);
   }
+  return all;
+}
+
+Case expect_pixels(const FootprintCase& input) {
+  const std::vector<double> all = columns_and_rows(input);
   std::string text = fmt::format("voxel ({}, {}, {}), picture of {} x {}; P", input.voxel.x,
                                  input.voxel.y, input.voxel.z, input.width, input.height);
   for (const auto& row : input.pixel_from_grid) text += fmt::format(" ({})", fmt::join(row, ", "));
@@ -82,6 +90,40 @@ Case expect_coloured(const SweepCase& input) {
       {matrix("voxels", 3, places), matrix("colours", 3, colours, bound, "levels")}};
 }
 
+// ---- generated inputs: what judging the case says, without texts ----
+
+bool is_field(const Answer& answer, const char* field, const std::vector<double>& right,
+              double bound = 0) {
+  const auto* actual = find_field(answer, field);
+  return actual != nullptr &&
+         std::ranges::equal(*actual, right, [&](double given, double expected) {
+           return distance_between(expected, given) <= bound;
+         });
+}
+
+bool right_kind(const OrderCase& input, const Answer& answer) {
+  const Order right = voxels::classify(input.cameras, input.box);
+  return is_field(answer, "kind", {double(right.kind)}) &&
+         is_field(answer, "away",
+                  {double(right.away[0]), double(right.away[1]), double(right.away[2])});
+}
+
+bool right_deviation(const ColoursCase& input, const Answer& answer) {
+  const Statistics right = voxels::statistics(input.colours);
+  return is_field(answer, "mean", {right.mean[0], right.mean[1], right.mean[2]},
+                  voxels::mean_bound(input.colours)) &&
+         is_field(answer, "deviation", {right.deviation},
+                  voxels::deviation_bound(input.colours, right.deviation));
+}
+
+bool right_verdict(const JudgeCase& input, const Answer& answer) {
+  return is_field(answer, "verdict", {double(voxels::judge(input.pictures, input.threshold))});
+}
+
+bool right_pixels(const FootprintCase& input, const Answer& answer) {
+  return is_field(answer, "columns and rows", columns_and_rows(input));
+}
+
 }  // namespace
 
 Lab lab_13() {
@@ -95,17 +137,26 @@ Lab lab_13() {
        {"13.4", "The pixels of a voxel", 15},
        {"13.5", "Layer after layer", 25}},
       {check("how cameras stand to the box", "13.1", "world", orders, expect_kind),
+       generated_check("cameras anywhere", "13.1", "world", generated_orders, expect_kind,
+                       right_kind),
        hidden_check("how other cameras stand", "13.1", "world", hidden_orders, expect_kind),
        check("mean and deviation of colours", "13.2", "shading", colours, expect_deviation),
+       generated_check("any colours", "13.2", "shading", generated_colours, expect_deviation,
+                       right_deviation),
        hidden_check("mean and deviation of other colours", "13.2", "shading", hidden_colours,
                     expect_deviation),
        check("what becomes of a voxel", "13.3", "shading", judged, expect_verdict),
+       generated_check("any voxel", "13.3", "shading", generated_judged, expect_verdict,
+                       right_verdict),
        hidden_check("what becomes of other voxels", "13.3", "shading", hidden_judged,
                     expect_verdict),
        check("the pixels of a voxel", "13.4", "coverage", footprints, expect_pixels),
+       generated_check("the pixels of any voxel", "13.4", "coverage", generated_footprints,
+                       expect_pixels, right_pixels),
        hidden_check("the pixels of other voxels", "13.4", "coverage", hidden_footprints,
                     expect_pixels),
        check("voxels are coloured layer after layer", "13.5", "depth", sweeps, expect_coloured),
+       generated_check("any grid and pictures", "13.5", "depth", generated_sweeps, expect_coloured),
        hidden_check("other voxels are coloured", "13.5", "depth", hidden_sweeps, expect_coloured)}};
 }
 

@@ -1,6 +1,6 @@
 // Calls your functions with the cases of lab 13.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_13 {
@@ -55,6 +55,11 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("what becomes of a voxel", judged(), verdict),
       check("the pixels of a voxel", footprints(), pixels),
       check("voxels are coloured layer after layer", sweeps(), coloured),
+      generated_check("cameras anywhere", generated_orders(), order),
+      generated_check("any colours", generated_colours(), deviation),
+      generated_check("any voxel", generated_judged(), verdict),
+      generated_check("the pixels of any voxel", generated_footprints(), pixels),
+      generated_check("any grid and pictures", generated_sweeps(), coloured),
       // BEGIN HIDDEN
       check("how other cameras stand", hidden_orders(), order),
       check("mean and deviation of other colours", hidden_colours(), deviation),

@@ -103,8 +103,9 @@ struct PixelAt {
 // always one of them: if its own centre is not in the rectangle it comes last. Pixels outside the
 // picture are left out. If a corner is not in front of the camera, the pixel of the voxel's centre
 // is the only one; if the voxel's centre is not in front of it, there is none. Exact: no pixel
-// centre is within 2^-20 px of a border, unless all numbers have so few digits that nothing is
-// rounded.
+// centre is within 2^-20 px of a border, and the voxel's centre is not within 2^-20 px of the edge
+// of a pixel, unless all numbers have so few digits that nothing is rounded; w is never rounded. A
+// position may be far outside the picture, where an int cannot express its pixel.
 std::vector<PixelAt> footprint(const Projection& pixel_from_grid, const Voxel& voxel, int width,
                                int height);
 
@@ -128,7 +129,8 @@ struct Coloured {
 // Task 13.5. Voxel colouring. Layer by layer along the axis, away from the cameras, each voxel is
 // judged by the pixel of its centre in each picture (none where the centre is outside the picture
 // or not in front of the camera). After each layer, and not before, the pixels of its coloured
-// voxels become hidden in all pictures. No pixel is hidden at the beginning. Returns the coloured
+// voxels become hidden in all pictures. No pixel is hidden at the beginning. Where the
+// place of a centre is a whole number, it is a quotient that is not rounded. Returns the coloured
 // voxels with their mean colour, in the order of the layers, within a layer by z, then y, then x.
 // Error bound of a colour: (K + 4) u 255 for K pictures.
 std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,

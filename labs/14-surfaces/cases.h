@@ -243,8 +243,46 @@ struct BandCase {
   std::string what;
   Pixels pixels;
   std::size_t k = 1;
+  // What task 14.6 gets. It is not the student's answer to task 14.5, so that the tasks do not
+  // depend on each other.
+  std::vector<double> mean = {};
+  Matrix vectors = {};
 };
 
+inline std::vector<BandCase> bands() {
+  return {
+      {"two bands that depend on each other",
+       {{1, 2}, {2, 4}, {3, 6}, {6, 12}},
+       1,
+       {3, 6},
+       {{0.44721359549995793, 0.89442719099991586}, {0.89442719099991586, -0.44721359549995793}}},
+      {"a band that does not change",
+       {{5, 1}, {5, 2}, {5, 4}},
+       1,
+       {5, 2.3333333333333335},
+       {{0, 1}, {1, 0}}},
+      {"a square: no direction is better than another",
+       {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}},
+       2,
+       {0, 0},
+       {{1, 0}, {0, 1}}},
+      {"four bands",
+       {{9, 8, 1, 0}, {7, 7, 2, 1}, {1, 2, 8, 9}, {0, 1, 9, 9}, {4, 4, 5, 5}},
+       2,
+       {4.2, 4.4, 5, 4.8},
+       {{0.51831369521196613, 0.41237775127634874, -0.47858191346189427, -0.57641552348555924},
+        {0.54229655280936628, 0.29902612671532364, -0.093914461508953495, 0.77953697684727763},
+        {0.65443524714038448, -0.4700131307636411, 0.5544973272771776, -0.2081703106894236},
+        {-0.09476217318687509, 0.72084368812083932, 0.67429380841670372, -0.12935365383376266}}},
+      {"no components",
+       {{1, 2, 3}, {3, 2, 0}, {2, 2, 6}},
+       0,
+       {2, 2, 3},
+       {{-0.17842480549373665, 0, 0.98395355011531027},
+        {0.98395355011531027, 0, 0.17842480549373665},
+        {0, 1, 0}}}};
+}
+// BEGIN HIDDEN
 // Pixels with `bands` bands. Each band of a pixel is a mixture of the same `sources` random values,
 // plus `offset` and a little noise.
 inline Pixels mixed_bands(glassbox::Random& random, int count, std::size_t bands,
@@ -268,16 +306,14 @@ inline Pixels mixed_bands(glassbox::Random& random, int count, std::size_t bands
   return pixels;
 }
 
-// The mean that task 14.6 gets. It is not the student's answer to task 14.5, so that the tasks do
-// not depend on each other.
-inline std::vector<double> given_mean(const Pixels& pixels) {
+inline std::vector<double> mean_of(const Pixels& pixels) {
   std::vector<double> mean(pixels.front().size(), 0);
   for (const auto& x : pixels) {
     for (std::size_t i = 0; i < x.size(); ++i) mean[i] += x[i] / double(pixels.size());
   }
   return mean;
 }
-inline Matrix given_vectors(const Pixels& pixels, const std::vector<double>& mean) {
+inline Matrix vectors_of(const Pixels& pixels, const std::vector<double>& mean) {
   const std::size_t bands = mean.size();
   Matrix scatter(bands, std::vector<double>(bands, 0));
   for (const auto& x : pixels) {
@@ -287,27 +323,23 @@ inline Matrix given_vectors(const Pixels& pixels, const std::vector<double>& mea
   }
   return eigen_of(scatter).vectors;
 }
-
-inline std::vector<BandCase> bands() {
-  return {
-      {"two bands that depend on each other", {{1, 2}, {2, 4}, {3, 6}, {6, 12}}, 1},
-      {"a band that does not change", {{5, 1}, {5, 2}, {5, 4}}, 1},
-      {"a square: no direction is better than another", {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}, 2},
-      {"four bands", {{9, 8, 1, 0}, {7, 7, 2, 1}, {1, 2, 8, 9}, {0, 1, 9, 9}, {4, 4, 5, 5}}, 2},
-      {"no components", {{1, 2, 3}, {3, 2, 0}, {2, 2, 6}}, 0}};
+inline BandCase mixed_case(const char* what, Pixels pixels, std::size_t k) {
+  auto mean = mean_of(pixels);
+  Matrix vectors = vectors_of(pixels, mean);
+  return {what, std::move(pixels), k, std::move(mean), std::move(vectors)};
 }
-// BEGIN HIDDEN
 inline BandCase random_bands(glassbox::Random& random) {
-  return {"any bands", mixed_bands(random, 60, 6, 3, 0), 3};
+  return mixed_case("any bands", mixed_bands(random, 60, 6, 3, 0), 3);
 }
 inline std::vector<BandCase> hidden_bands() {
   glassbox::Random random = glassbox::labs::varied(147);
   return glassbox::labs::with_varied(
       std::vector<BandCase>{
           random_bands(random),
-          {"values of a million", mixed_bands(random, 40, 4, 2, 1e6), 2},
-          {"all components", mixed_bands(random, 30, 5, 5, 3), 5},
-          {"seven bands, of which one component is kept", mixed_bands(random, 50, 7, 1, -20), 1}},
+          mixed_case("values of a million", mixed_bands(random, 40, 4, 2, 1e6), 2),
+          mixed_case("all components", mixed_bands(random, 30, 5, 5, 3), 5),
+          mixed_case("seven bands, of which one component is kept",
+                     mixed_bands(random, 50, 7, 1, -20), 1)},
       148, 2, random_bands);
 }
 // END HIDDEN

@@ -12,7 +12,7 @@
 
 #include "exact/number.h"
 #include "labs/14-surfaces/borders.h"
-#include "labs/14-surfaces/cases.h"
+#include "labs/14-surfaces/generators.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -65,12 +65,13 @@ Case expect_cells(const CellsCase& input) {
 // ---- edges ----
 
 // The bound: two differences and a quotient round, 3 u (u = 2^-53 is the unit roundoff). The clamp
-// that keeps the answer 2^-10 away from both ends does not round.
+// that keeps the answer 2^-10 away from both ends does not round. Ours is computed in long double;
+// its three roundings are 2^11 times smaller.
 Case expect_crossing(const EdgeCase& input) {
   double share = 0.5;
   if (!std::isinf(input.from) && !std::isinf(input.to)) {
-    const Rational exact = (Rational(input.level) - Rational(input.from)) /
-                           (Rational(input.to) - Rational(input.from));
+    using Long = long double;
+    const Long exact = (Long(input.level) - Long(input.from)) / (Long(input.to) - Long(input.from));
     share = std::clamp(double(exact), kMinStep, 1 - kMinStep);
   }
   return {.where = input.what,
@@ -145,9 +146,11 @@ struct ExactWeights {
 };
 
 // The weights by Cramer's rule: a quotient of two determinants each. A determinant has an error of
-// at most 5 u times the sum of the sizes of its terms, which is at most 2 for unit vectors. This
-// error, divided by |det|, is the error of a weight. A weight divided by a sum that is at least as
-// large has at most four times that error: 40 u / |det|, and 64 u / |det| is allowed.
+// at most 5 u times the sum of the sizes of its terms, which is at most 6 / sqrt(27) < 1.2 for unit
+// vectors (the permanent of a matrix with rows of unit length), so 6 u. A weight w then has the
+// error 6 u (1 + |w|) / |det|. A weight w is divided by a sum s >= w: the quotient has the errors of
+// w and of the three weights in s, divided by s. For s <= 1 that is at most 4 times 12 u / (|det|
+// s), for s > 1 at most 4 times 12 u / |det|; 64 u is allowed.
 ExactWeights exact_weights(const ViewCase& input) {
   const Exact3 v = exact_vector(input.direction);
   std::array<Exact3, 3> views;
@@ -164,6 +167,7 @@ ExactWeights exact_weights(const ViewCase& input) {
   exact.bound = 64 * unit_roundoff<double> / std::abs(double(volume));
   if (sum.sign() > 0) {
     for (std::size_t i = 0; i < 3; ++i) exact.weights[i] = double(w[i] / sum);
+    exact.bound /= std::min(1.0, double(sum));
     return exact;
   }
   std::optional<std::size_t> nearest;
@@ -241,8 +245,8 @@ Case expect_statistics(const BandCase& input) {
 // The bound for a pixel x with the mean m: dot products of up to 7 bands and a sum over k
 // components round by less than 32 u of |x - m|; adding the mean rounds by u of the result.
 Case expect_reconstruction(const BandCase& input) {
-  const std::vector<double> mean = given_mean(input.pixels);
-  const lab_14::Matrix vectors = given_vectors(input.pixels, mean);
+  const std::vector<double>& mean = input.mean;
+  const lab_14::Matrix& vectors = input.vectors;
   std::vector<double> all;
   Long error = 0, spread = 0, farthest = 0;
   for (const auto& x : input.pixels) {
@@ -280,30 +284,40 @@ Case expect_reconstruction(const BandCase& input) {
 }  // namespace
 
 Lab lab_14() {
-  return {14,
-          "14-surfaces",
-          "Surfaces, polygons in pictures, views, components",
-          {{"14.1", "The polygons of a cell", 25},
-           {"14.2", "Where the surface crosses an edge", 10},
-           {"14.3", "Polygons come and go", 20},
-           {"14.4", "The three views around an eye", 20},
-           {"14.5", "Mean and covariance", 10},
-           {"14.6", "What k components have", 15}},
-          {check("polygons of a cell", "14.1", "world", cells, expect_cell),
-           hidden_check("cells of every kind", "14.1", "world", hidden_cells, expect_cells),
-           check("where an edge is crossed", "14.2", "world", edges, expect_crossing),
-           hidden_check("edges of other values", "14.2", "world", hidden_edges, expect_crossing),
-           check("polygons come and go", "14.3", "depth", edits, expect_edits),
-           hidden_check("other polygons come and go", "14.3", "depth", hidden_edits, expect_edits),
-           check("weights of three views", "14.4", "shading", views_around, expect_weights),
-           hidden_check("weights of other views", "14.4", "shading", hidden_views_around,
-                        expect_weights),
-           check("mean and covariance", "14.5", "shading", bands, expect_statistics),
-           hidden_check("covariance of other bands", "14.5", "shading", hidden_bands,
-                        expect_statistics),
-           check("what the components have", "14.6", "shading", bands, expect_reconstruction),
-           hidden_check("components of other bands", "14.6", "shading", hidden_bands,
-                        expect_reconstruction)}};
+  return {
+      14,
+      "14-surfaces",
+      "Surfaces, polygons in pictures, views, components",
+      {{"14.1", "The polygons of a cell", 25},
+       {"14.2", "Where the surface crosses an edge", 10},
+       {"14.3", "Polygons come and go", 20},
+       {"14.4", "The three views around an eye", 20},
+       {"14.5", "Mean and covariance", 10},
+       {"14.6", "What k components have", 15}},
+      {check("polygons of a cell", "14.1", "world", cells, expect_cell),
+       generated_check("the polygons of any cell", "14.1", "world", generated_cells, expect_cell),
+       hidden_check("cells of every kind", "14.1", "world", hidden_cells, expect_cells),
+       check("where an edge is crossed", "14.2", "world", edges, expect_crossing),
+       generated_check("any edge", "14.2", "world", generated_edges, expect_crossing),
+       hidden_check("edges of other values", "14.2", "world", hidden_edges, expect_crossing),
+       check("polygons come and go", "14.3", "depth", edits, expect_edits),
+       generated_check("any polygons come and go", "14.3", "depth", generated_edits, expect_edits),
+       hidden_check("other polygons come and go", "14.3", "depth", hidden_edits, expect_edits),
+       check("weights of three views", "14.4", "shading", views_around, expect_weights),
+       generated_check("weights of any views", "14.4", "shading", generated_views_around,
+                       expect_weights),
+       hidden_check("weights of other views", "14.4", "shading", hidden_views_around,
+                    expect_weights),
+       check("mean and covariance", "14.5", "shading", bands, expect_statistics),
+       generated_check("covariance of any bands", "14.5", "shading", generated_bands,
+                       expect_statistics),
+       hidden_check("covariance of other bands", "14.5", "shading", hidden_bands,
+                    expect_statistics),
+       check("what the components have", "14.6", "shading", bands, expect_reconstruction),
+       generated_check("any components", "14.6", "shading", generated_components,
+                       expect_reconstruction),
+       hidden_check("components of other bands", "14.6", "shading", hidden_bands,
+                    expect_reconstruction)}};
 }
 
 }  // namespace glassbox::labs

@@ -1,6 +1,6 @@
 // Calls your functions with the cases of lab 14.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_14 {
@@ -72,9 +72,7 @@ void moments(const BandCase& input, Answer& answer) {
 }
 
 void emit_reconstruction(const BandCase& input, Answer& answer) {
-  const auto mean = given_mean(input.pixels);
-  const Reconstruction made =
-      reconstruct(input.pixels, mean, given_vectors(input.pixels, mean), input.k);
+  const Reconstruction made = reconstruct(input.pixels, input.mean, input.vectors, input.k);
   std::vector<double> all;
   for (const auto& pixel : made.pixels) all.insert(all.end(), pixel.begin(), pixel.end());
   answer.emit("reconstructed bands", all);
@@ -92,6 +90,12 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("weights of three views", views_around(), weights),
       check("mean and covariance", bands(), moments),
       check("what the components have", bands(), emit_reconstruction),
+      generated_check("the polygons of any cell", generated_cells(), cell),
+      generated_check("any edge", generated_edges(), edge),
+      generated_check("any polygons come and go", generated_edits(), edited),
+      generated_check("weights of any views", generated_views_around(), weights),
+      generated_check("covariance of any bands", generated_bands(), moments),
+      generated_check("any components", generated_components(), emit_reconstruction),
       // BEGIN HIDDEN
       check("cells of every kind", hidden_cells(), sixteen_cells),
       check("edges of other values", hidden_edges(), edge),

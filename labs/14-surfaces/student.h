@@ -45,7 +45,8 @@ std::vector<std::vector<int>> cell_polygons(unsigned inside);
 // end. `from` and `to` are the values at the ends; one is at least the level (inside) and the other
 // below it. The answer is where the linear interpolation between these values is equal to the
 // level, but at least kMinStep away from both ends (C-96). A value outside the lattice is minus
-// infinity; then the answer is one half. Error bound: 8 u of the answer.
+// infinity; then the answer is one half. All other values, and the level, have magnitudes of at most
+// 2^1001. Error bound: 8 u of the answer.
 inline constexpr double kMinStep = 0x1p-10;
 double crossing(double from, double to, double level);
 
@@ -66,7 +67,8 @@ struct Covered {
   double distance = 0;
 };
 
-// Task 14.3. Adds a polygon to the layers, or removes it. Nothing else of the layers changes. A
+// Task 14.3. Adds a polygon to the layers, or removes it. Nothing else of the layers changes. An id
+// is added only if it is not there. A
 // polygon that is removed covers what it covered when it was added; removing an id that is not
 // there changes nothing. Exact.
 void add(Layers& layers, int id, const std::vector<Covered>& covered);
@@ -81,8 +83,9 @@ using Vector = std::array<double, 3>;
 // becomes 0, and so does the weight of a view that does not see the polygon. The three weights are
 // then divided by their sum. If the sum is 0, the view that sees the polygon and has the smallest
 // angle to the direction gets the weight 1, the first among equally near ones; if none sees it, all
-// weights are 0. Vectors are of unit length up to rounding. Error bound: 64 u / |det(views)| for
-// each weight.
+// weights are 0. Vectors are of unit length up to rounding. Error bound of each weight: 64 u /
+// (|det(views)| s), where s is the sum by which the weights are divided, but at most 1. Whether the
+// sum is 0, and which of two views is nearer, does not depend on rounding.
 std::array<double, 3> view_weights(const Vector& direction, const std::array<Vector, 3>& views,
                                    const std::array<bool, 3>& sees);
 
@@ -94,8 +97,8 @@ using Matrix = std::vector<std::vector<double>>;  // rows
 // Task 14.5. The mean of the pixels, and their covariance: entry (i, j) is the mean of (x_i -
 // m_i)(x_j - m_j), where x_i is band i of a pixel and m_i the mean of that band. Values may be
 // large compared with their differences.
-// Error bound of an entry: 8 n u of the largest entry on the diagonal, plus
-// 4 (n u times the largest value)^2, for n pixels.
+// Error bound of a mean: 2 n u of the largest value, for n pixels; of an entry: 8 n u of the largest
+// entry on the diagonal, plus 4 (n u times the largest value)^2. There is at least one pixel.
 struct Statistics {
   std::vector<double> mean;
   Matrix covariance;
