@@ -29,8 +29,8 @@ double largest(const lab_05::Edge& edge) {
   return m;
 }
 
-// How far a crossing may be off: 8 roundings of the largest coordinate, and the step of the smallest
-// floats.
+// How far a crossing may be off: 8 roundings of the largest coordinate, and the step of the
+// smallest floats.
 double crossing_error(const lab_05::Edge& edge) {
   return kRoundings * unit_roundoff<float> * largest(edge) + 0x1p-149;
 }

@@ -85,8 +85,9 @@ Polygon clip_by_plane(const Polygon& polygon, const Plane& plane);
 
 // The part of a triangle inside all six planes: 3 to 9 vertices in the triangle's order, beginning
 // with any, or none. No two neighbours (the last and the first are neighbours) have equal
-// coordinates. w of the corners may be negative; coordinates are below 2^125 in size. Two triangles that share an edge, which one of
-// them passes from A to B and the other from B to A, are cut at points with the same bits.
+// coordinates. w of the corners may be negative; coordinates are below 2^125 in size. Two triangles
+// that share an edge, which one of them passes from A to B and the other from B to A, are cut at
+// points with the same bits.
 Polygon clip_to_frustum(const std::array<Point<Clip>, 3>& triangle);
 
 }  // namespace lab_05
