@@ -1,11 +1,15 @@
-// The expected answers of lab 4, computed by the pipeline's own matrices, and by exact rationals.
+// The expected answers of lab 4, computed by exact numbers and by the pipeline's adaptors.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "exact/number.h"
-#include "labs/04-projection/cases.h"
+#include "labs/04-projection/generators.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
 #include <glassbox/base/rounding.h>
@@ -16,6 +20,7 @@ namespace glassbox::labs {
 
 namespace {
 
+using exact::Decimal;
 using exact::Rational;
 using lab_04::Dialect;
 
@@ -31,12 +36,47 @@ Expected projection(const Transform<Clip, Eye>& m, double roundings) {
   return expected;
 }
 
-// The error bound of an entry in units of the unit roundoff u: tangent, quotients and products
-// round 4 or 5 times, in the student's matrix and in ours; student.h allows 16.
+// Tangent, quotients and products of an entry round 4 or 5 times; student.h allows 16 u.
 constexpr double kEntryRoundings = 16;
 
 Result<Transform<Clip, Eye>> perspective_of(const lab_04::Camera& c) {
   return perspective(c.fovy_radians, c.aspect, {c.near, c.far, DepthRange::kStandard});
+}
+
+// The cotangent of half an angle, with 50 digits.
+Decimal cot_half_of(double fovy) {
+  return Decimal(1) / exact::tan(Decimal(fovy) / Decimal(2));
+}
+
+// The matrix of a valid view, each entry rounded once. `N` is the type in which it is computed, and
+// cot(fovy / 2) is given.
+template <class N>
+Transform<Clip, Eye> view_of(const N& cot, const lab_04::Camera& c) {
+  const N near(c.near);
+  const N alpha = std::isinf(c.far) ? N(1) : N(c.far) / (N(c.far) - near);
+  Transform<Clip, Eye> m;
+  m.at(0, 0) = double(cot / N(c.aspect));
+  m.at(1, 1) = double(cot);
+  m.at(2, 2) = double(-alpha);
+  m.at(2, 3) = double(-alpha * near);
+  m.at(3, 2) = -1;
+  m.at(3, 3) = 0;
+  return m;
+}
+
+// The matrix of a box, each entry rounded once.
+template <class N>
+Transform<Clip, Eye> box_of(const lab_04::Box& b) {
+  Transform<Clip, Eye> m;
+  const auto fit = [&m](int row, double low, double high) {
+    m.at(row, row) = double(N(2) / (N(high) - N(low)));
+    m.at(row, 3) = double(-((N(high) + N(low)) / (N(high) - N(low))));
+  };
+  fit(0, b.left, b.right);
+  fit(1, b.bottom, b.top);
+  m.at(2, 2) = double(N(-1) / (N(b.far) - N(b.near)));
+  m.at(2, 3) = double(-(N(b.near) / (N(b.far) - N(b.near))));
+  return m;
 }
 
 // The mistake of using OpenGL's clip space, where z goes from -w to w.
@@ -47,7 +87,7 @@ ExpectedWithSlip opengl_slip(const Transform<Clip, Eye>& m) {
 
 Case expect_camera(const lab_04::Camera& camera) {
   const auto& [fovy, aspect, near, far] = camera;
-  const Transform<Clip, Eye> right = *perspective_of(camera);
+  const Transform<Clip, Eye> right = view_of(cot_half_of(fovy), camera);
   Transform<Clip, Eye> tangent = right, inverted = right;
   tangent.at(1, 1) = 1 / right.at(1, 1);
   tangent.at(0, 0) = tangent.at(1, 1) / aspect;
@@ -77,14 +117,14 @@ Case expect_refusals(const std::vector<lab_04::Camera>& cameras) {
 
 Case expect_box(const lab_04::Box& box) {
   const auto& [left, right, bottom, top, near, far] = box;
-  const auto made = orthographic({left, right, bottom, top}, {near, far, DepthRange::kStandard});
-  Transform<Clip, Eye> backwards = *made;
+  const Transform<Clip, Eye> made = box_of<Rational>(box);
+  Transform<Clip, Eye> backwards = made;
   for (int i = 0; i < 3; ++i) backwards.at(i, 3) = -backwards.at(i, 3);
   return {.where = fmt::format("x {} .. {}, y {} .. {}", left, right, bottom, top),
           .restated = fmt::format("near {}, far {}: eye z {} becomes 0, eye z {} becomes 1", near,
                                   far, -near, -far),
-          .expected = {projection(*made, kEntryRoundings)},
-          .slipped = {opengl_slip(*made),
+          .expected = {projection(made, kEntryRoundings)},
+          .slipped = {opengl_slip(made),
                       {"translation-sign", {projection(backwards, kEntryRoundings)}}}};
 }
 
@@ -109,19 +149,47 @@ Adaptor adaptor_to(Dialect dialect) {
           "eye (x, y, z) is written (x, y, -z); the same clip point is expected"};
 }
 
-Case expect_dialect(const lab_04::DialectCase& input) {
+// The matrix in the dialect; or, for the mistake, with the adaptor on the other side.
+Expected adapted(const lab_04::DialectCase& input, bool on_its_side) {
   const Adaptor adaptor = adaptor_to(input.dialect);
-  const auto adapted = [&](bool after) {
-    const glm::dmat4& m = input.m.columns;
-    return projection(Transform<Clip, Eye>(after ? adaptor.matrix * m : m * adaptor.matrix), 4);
-  };
+  const glm::dmat4& m = input.m.columns;
+  return projection(
+      Transform<Clip, Eye>(adaptor.after == on_its_side ? adaptor.matrix * m : m * adaptor.matrix),
+      4);
+}
+
+Case expect_dialect(const lab_04::DialectCase& input) {
   return {.where = input.what,
-          .restated = adaptor.what,
-          .expected = {adapted(adaptor.after)},
-          .slipped = {{"multiplication-order", {adapted(!adaptor.after)}}}};
+          .restated = fmt::format("{}\nm, row by row: {}", adaptor_to(input.dialect).what,
+                                  fmt::join(entries(input.m), ", ")),
+          .expected = {adapted(input, true)},
+          .slipped = {{"multiplication-order", {adapted(input, false)}}}};
 }
 
 // ---- 4.4 to 4.6: numbers ----
+
+// Whether two numbers have the same bits. Two NaN count as the same.
+bool same_bits(double a, double b) {
+  return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b);
+}
+
+// Compares an answer; numbers that must be exact must have the sign of zero, too.
+std::optional<Divergence> judge_point(const Expected& expected, const Answer& answer) {
+  auto found = compare(expected, answer).first;
+  if (found || expected.bound > 0) return found;
+  const std::vector<double>& values = *find_field(answer, expected.field);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (same_bits(expected.values[i], values[i])) continue;
+    return Divergence{.field = expected.field,
+                      .index = i,
+                      .element = element_name(expected, i),
+                      .expected = expected.values[i],
+                      .actual = values[i],
+                      .unit = expected.unit,
+                      .explanation = "the number must keep its bits, also the sign of zero"};
+  }
+  return found;
+}
 
 Case expect_divide(const Point<Clip, double>& p) {
   Expected ndc = point("ndc", {}, 0, "NDC");
@@ -131,7 +199,7 @@ Case expect_divide(const Point<Clip, double>& p) {
     ndc.values.push_back(double(Rational(each) / Rational(p.w)));
     largest = std::max(largest, std::abs(ndc.values.back()));
   }
-  ndc.bound = p.w == 1 ? 0 : 4 * kU * largest;
+  ndc.bound = p.w == 1 ? 0 : 4 * kU * largest + lab_04::kSmallest;
   Expected opengl = ndc;
   if (p.w > 0) {
     opengl.values[2] = 2 * ndc.values[2] - 1;
@@ -141,7 +209,17 @@ Case expect_divide(const Point<Clip, double>& p) {
           .restated = p.w > 0 ? fmt::format("in front of the eye, at the distance {}", p.w)
                               : "at or behind the eye, or w is not a number",
           .expected = {ndc},
+          .judge = [ndc](const Answer& answer) { return judge_point(ndc, answer); },
           .slipped = {{"opengl-depth", {opengl}}}};
+}
+
+// How far x and y may be off. left + (x + 1) / 2 width rounds three times: the sum and the product
+// by u |x + 1| / 2 width each, the result by u (|left| + |x + 1| / 2 width). With |x + 1| <= 2
+// max(1, |x|) that is at most u (|left| + 3 width max(1, |x|)); student.h allows 8 u.
+std::array<double, 2> screen_bounds(const lab_04::ViewportCase& input) {
+  const auto& [p, v] = input;
+  return {8 * kU * (std::abs(v.left) + v.width * std::max(1.0, std::abs(p.x))),
+          8 * kU * (std::abs(v.top) + v.height * std::max(1.0, std::abs(p.y)))};
 }
 
 Case expect_screen(const lab_04::ViewportCase& input) {
@@ -150,16 +228,32 @@ Case expect_screen(const lab_04::ViewportCase& input) {
   const Rational half = Rational(1) / Rational(2);
   const Rational x = Rational(v.left) + (Rational(p.x) + Rational(1)) * half * Rational(v.width);
   const Rational y = Rational(v.top) + (Rational(1) - Rational(p.y)) * half * Rational(v.height);
-  const double bound = 8 * kU * std::max(std::abs(v.left) + v.width, std::abs(v.top) + v.height);
+  const auto [x_bound, y_bound] = screen_bounds(input);
   const auto expected = [&](double off) {
-    return std::vector{point("screen", {double(x) + off, double(y) + off}, bound, "px"),
-                       numbers("depth", {p.z}, 0, "depth")};
+    return std::vector{
+        point("screen", {double(x) + off, double(y) + off}, std::max(x_bound, y_bound), "px"),
+        numbers("depth", {p.z}, 0, "depth")};
+  };
+  const std::vector<Expected> right = expected(0);
+  const auto judge = [right, bounds = std::array{x_bound, y_bound}](const Answer& answer) {
+    if (auto found = compare(right[0], answer).first) return found;
+    // x and y have bounds of their own.
+    Expected each = right[0];
+    const std::vector<double>& values = *find_field(answer, each.field);
+    for (std::size_t i = 0; i < 2; ++i) {
+      each.bound = bounds[i];
+      auto only = each.values;
+      only[i] = values[i];
+      if (auto found = compare(each, only).first) return found;
+    }
+    return judge_point(right[1], answer);
   };
   return {.where = fmt::format("NDC ({}, {}, {})", p.x, p.y, p.z),
           .restated = fmt::format(
               "rectangle from ({}, {}), {} x {} pixels; y of NDC runs up, y of the screen down",
               v.left, v.top, v.width, v.height),
-          .expected = expected(0),
+          .expected = right,
+          .judge = judge,
           .slipped = {{"half-pixel", expected(-0.5)}, {"half-pixel", expected(0.5)}}};
 }
 
@@ -175,8 +269,9 @@ double exact_distance(const lab_04::DepthCase& input) {
 Case expect_depth(const lab_04::DepthCase& input) {
   const double z = exact_distance(input), near = input.near;
   // In z = n / (1 - d (1 - n/f)) (d: depth; n, f: near and far), the rounding of a number up to 1
-  // changes z by u z^2 / n (u: the unit roundoff). At most four numbers up to 1 are rounded, and
-  // the quotient; 8 is more. For f = infinity and d = 1 the result is exact.
+  // changes z by u z^2 / n (u: the unit roundoff), as long as z is below 2^50 n. At most four
+  // numbers up to 1 are rounded, and the quotient; 8 is more. For f = infinity and d = 1 the result
+  // is exact.
   const double bound = std::isinf(z) ? 0 : 8 * kU * z * z / near;
   const auto expected = [](double value, double by) {
     return std::vector{numbers("distance", {value}, by, "world units")};
@@ -193,6 +288,98 @@ Case expect_depth(const lab_04::DepthCase& input) {
                       std::isinf(z) ? z : z / near * double(unit_roundoff<float>)),
       .expected = expected(z, bound),
       .slipped = {{"opengl-depth", expected(gl, std::isinf(gl) ? 0 : 16 * kU * gl * gl / near)}}};
+}
+
+// ---- generated inputs ----
+
+// A view, or that it is refused.
+Case expect_view(const lab_04::Camera& camera) {
+  const Expected refused = expect_refusals({camera}).expected[0];
+  if (refused.values[0] == 0) {
+    Case c = expect_camera(camera);
+    c.expected.insert(c.expected.begin(), refused);
+    c.slipped.clear();
+    return c;
+  }
+  const auto& [fovy, aspect, near, far] = camera;
+  return {.where = fmt::format("fovy {} radians, aspect {}", fovy, aspect),
+          .restated = fmt::format("near {}, far {}; this view must be refused", near, far),
+          .expected = {refused, matrix("clip_from_eye", 4, {})}};
+}
+
+// Judges an answer by values that are computed in double. They differ from the expected ones by at
+// most half of the bound; so an answer within half of the bound of them is right, and one that
+// differs by more than twice the bound is wrong. Between the two only exact numbers tell, and there
+// is no value.
+std::optional<bool> judge_nearly(const std::vector<double>& nearly, double bound,
+                                 const std::vector<double>* actual) {
+  if (actual == nullptr || actual->size() != nearly.size()) return false;
+  double distance = 0;
+  for (std::size_t i = 0; i < nearly.size(); ++i)
+    distance = std::max(distance, distance_between(nearly[i], (*actual)[i]));
+  if (distance <= bound / 2) return true;
+  if (distance > 2 * bound) return false;
+  return std::nullopt;
+}
+
+std::optional<bool> judge_nearly(const Expected& nearly, const Answer& answer) {
+  return judge_nearly(nearly.values, nearly.bound, find_field(answer, nearly.field));
+}
+
+bool right_view(const lab_04::Camera& camera, const Answer& answer) {
+  const bool valid = perspective_of(camera).has_value();
+  const auto* refused = find_field(answer, "refused");
+  if (refused == nullptr || refused->size() != 1 || (*refused)[0] != (valid ? 0 : 1)) return false;
+  if (!valid) return !judge_case(expect_view(camera), answer);
+  // In double an entry has at most 5 roundings, of which the tangent's is up to 2 u.
+  const double cot = 1 / std::tan(camera.fovy_radians / 2);
+  const auto judged = judge_nearly(projection(view_of(cot, camera), kEntryRoundings), answer);
+  return judged ? *judged : !judge_case(expect_view(camera), answer);
+}
+
+bool right_box(const lab_04::Box& box, const Answer& answer) {
+  // In double an entry has three roundings.
+  const auto judged = judge_nearly(projection(box_of<double>(box), kEntryRoundings), answer);
+  return judged ? *judged : !judge_case(expect_box(box), answer);
+}
+
+bool right_dialect(const lab_04::DialectCase& input, const Answer& answer) {
+  return !compare(adapted(input, true), answer).first;
+}
+
+bool right_divide(const Point<Clip, double>& p, const Answer& answer) {
+  // A quotient of doubles is the exact one, rounded once, as in expect_divide().
+  Expected ndc = point("ndc", {}, 0, "NDC");
+  double largest = 0;
+  for (const double each : {p.x, p.y, p.z}) {
+    if (!(p.w > 0)) continue;
+    ndc.values.push_back(each / p.w);
+    largest = std::max(largest, std::abs(ndc.values.back()));
+  }
+  ndc.bound = p.w == 1 ? 0 : 4 * kU * largest + lab_04::kSmallest;
+  return !judge_point(ndc, answer);
+}
+
+bool right_screen(const lab_04::ViewportCase& input, const Answer& answer) {
+  const auto& [p, v] = input;
+  const auto* depth = find_field(answer, "depth");
+  const auto* screen = find_field(answer, "screen");
+  if (depth == nullptr || depth->size() != 1 || !same_bits((*depth)[0], p.z)) return false;
+  if (screen == nullptr || screen->size() != 2) return false;
+  const auto [x_bound, y_bound] = screen_bounds(input);
+  const std::vector<double> only_x{(*screen)[0]}, only_y{(*screen)[1]};
+  const auto x = judge_nearly({v.left + (p.x + 1) / 2 * v.width}, x_bound, &only_x);
+  const auto y = judge_nearly({v.top + (1 - p.y) / 2 * v.height}, y_bound, &only_y);
+  if (x && y) return *x && *y;
+  return !judge_case(expect_screen(input), answer);
+}
+
+bool right_depth(const lab_04::DepthCase& input, const Answer& answer) {
+  // In double the distance has at most three roundings of its own size, which is more than near.
+  const double z = input.near / ((1 - input.depth) + input.depth * (input.near / input.far));
+  const double bound = std::isinf(z) ? 0 : 8 * kU * z * z / input.near;
+  const auto judged = judge_nearly({z}, bound, find_field(answer, "distance"));
+  return judged ? *judged : !judge_case(expect_depth(input), answer);
 }
 
 template <Dialect kDialect>
@@ -216,18 +403,26 @@ Lab lab_04() {
        {"4.6", "A distance from a depth", 10}},
       {check("perspective views", "4.1", "clip", cameras, expect_camera),
        check("views that cannot be", "4.1", "clip", refusals, expect_refusals),
+       generated_check("any view", "4.1", "clip", generated_views, expect_view, right_view),
        hidden_check("views of extreme shape", "4.1", "clip", stiff_cameras, expect_camera),
        check("parallel views", "4.2", "clip", boxes, expect_box),
+       generated_check("any box", "4.2", "clip", generated_boxes, expect_box, right_box),
        hidden_check("boxes far from the gaze", "4.2", "clip", more_boxes, expect_box),
        check("OpenGL's clip space", "4.3", "clip", projections<Dialect::kOpenGl>, expect_dialect),
        check("reversed depth", "4.3", "clip", projections<Dialect::kReversed>, expect_dialect),
        check("a left-handed eye", "4.3", "clip", projections<Dialect::kLeftHandedEye>,
              expect_dialect),
+       generated_check("any projection in any dialect", "4.3", "clip", generated_matrices,
+                       expect_dialect, right_dialect),
        check("points divided by w", "4.4", "NDC", points, expect_divide),
+       generated_check("any point", "4.4", "NDC", generated_points, expect_divide, right_divide),
        hidden_check("more points divided by w", "4.4", "NDC", random_points, expect_divide),
        check("points on a picture of 640 x 480", "4.5", "screen", on_the_picture, expect_screen),
+       generated_check("any point and rectangle", "4.5", "screen", generated_viewports,
+                       expect_screen, right_screen),
        hidden_check("other rectangles of the screen", "4.5", "screen", viewports, expect_screen),
        check("distances from depths", "4.6", "depth", depths, expect_depth),
+       generated_check("any depth", "4.6", "depth", generated_depths, expect_depth, right_depth),
        hidden_check("distances from depths close to 1", "4.6", "depth", stiff_depths,
                     expect_depth)}};
 }

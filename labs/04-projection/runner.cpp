@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_04 {
@@ -27,6 +27,17 @@ void ask_refusals(const std::vector<Camera>& cameras, Answer& answer) {
     }
   }
   answer.emit("refused", refused);
+}
+
+// A view, or that it was refused.
+void ask_view(const Camera& c, Answer& answer) {
+  std::vector<double> view;
+  try {
+    view = entries(perspective(c.fovy_radians, c.aspect, c.near, c.far));
+  } catch (const std::invalid_argument&) {
+  }
+  answer.emit("refused", {view.empty() ? 1.0 : 0.0});
+  answer.emit("clip_from_eye", view);
 }
 
 void ask_box(const Box& b, Answer& answer) {
@@ -68,6 +79,12 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("points divided by w", points(), ask_divide),
       check("points on a picture of 640 x 480", on_the_picture(), ask_screen),
       check("distances from depths", depths(), ask_depth),
+      generated_check("any view", generated_views(), ask_view),
+      generated_check("any box", generated_boxes(), ask_box),
+      generated_check("any projection in any dialect", generated_matrices(), ask_dialect),
+      generated_check("any point", generated_points(), ask_divide),
+      generated_check("any point and rectangle", generated_viewports(), ask_screen),
+      generated_check("any depth", generated_depths(), ask_depth),
       // BEGIN HIDDEN
       check("views of extreme shape", stiff_cameras(), ask_camera),
       check("boxes far from the gaze", more_boxes(), ask_box),

@@ -78,9 +78,10 @@ Point<Screen, double> to_screen(const Point<Ndc, double>& p, const Rectangle& vi
 double distance_of(double depth, double near, double far) {
   // BEGIN SOLUTION
   // depth = f (z - n) / ((f - n) z) with near n and far f, solved for z. Dividing by f makes it
-  // right for an infinite f, too.
+  // right for an infinite f, too. Both terms of the sum are positive, so nothing cancels even where
+  // n/f is less than u: 1 - depth (1 - n/f) would then be 0 at depth 1, and the distance infinite.
   const double n_over_f = near / far;
-  return near / (1 - depth * (1 - n_over_f));
+  return near / ((1 - depth) + depth * n_over_f);
   // STUB: throw std::logic_error("4.6: distance_of is not written yet");
   // END SOLUTION
 }

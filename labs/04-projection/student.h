@@ -25,11 +25,13 @@ using Projection = glassbox::Transform<Clip, Eye, double>;
 // ---- 4.1 ----
 
 // A perspective view around the gaze.
-//   fovy_radians  the full vertical angle, in (0, pi)
+//   fovy_radians  the full vertical angle, in (0, pi), where pi is rounded to double: half a turn
+//                 itself, 3.141592653589793, is not valid
 //   aspect        width / height of the picture, positive and finite
 //   near, far     distances along the gaze, 0 < near < far; far may be infinity
-// Throws std::invalid_argument for anything else, NaN too. Error bound: 16 u times the largest
-// entry.
+// Throws std::invalid_argument for anything else, NaN too. Valid numbers (but an infinite far) are
+// from 2^-300 to 2^300, so that no product of two of them overflows. near and far may be neighbours
+// or 2^70 apart. Error bound: 16 u times the largest entry.
 Projection perspective(double fovy_radians, double aspect, double near, double far);
 
 // ---- 4.2 ----
@@ -49,15 +51,18 @@ enum class Dialect {
   kLeftHandedEye
 };
 
-// The matrix that does in the dialect what `m` does in the conventions of this lab; `m` is any
-// projection. Error bound: 4 u times the largest entry.
+// The matrix that does in the dialect what `m` does in the conventions of this lab. `m` is any
+// projection: any of its 16 entries may differ from 0; they are below 2^1000 in size. Error bound:
+// 4 u times the largest entry of the answer.
 Projection in_dialect(const Projection& m, Dialect dialect);
 
 // ---- 4.4 ----
 
 // Clip space to NDC. Returns std::nullopt where w <= 0 (the point is at the eye or behind it and
-// cannot be seen) and where w is NaN. Points with w = 1 keep their bits. Error bound: 4 u times the
-// largest coordinate.
+// cannot be seen) and where w is NaN. w may be any other finite number, down to 2^-1074, the
+// smallest double; x, y, z and their quotients are finite, too. Points with w = 1 keep their bits.
+// Error bound: 4 u times the largest coordinate of the answer, plus 2^-1074, the step of the
+// smallest doubles.
 std::optional<Point<Ndc, double>> divide(const Point<Clip, double>& p);
 
 // ---- 4.5 ----
@@ -74,9 +79,10 @@ Point<Screen, double> to_screen(const Point<Ndc, double>& p, const Rectangle& vi
 // ---- 4.6 ----
 
 // The distance along the gaze that a depth in [0, 1] belongs to, in the perspective of 4.1. far may
-// be infinity; depth 1 is then infinitely far away, and the answer is infinity. Error bound: 8 u
-// z^2 / near, where z is the exact distance. That is several times the error which the rounding of
-// the depth alone causes.
+// be infinity; depth 1 is then infinitely far away, and the answer is infinity. Any other far may
+// be up to 2^80 times near, where near / far is much less than u. Error bound: 8 u z^2 / near,
+// where z is the exact distance. That is several times the error which the rounding of the depth
+// alone causes.
 double distance_of(double depth, double near, double far);
 
 }  // namespace lab_04

@@ -1,6 +1,10 @@
 // The expected answers for crossings and clipped polygons: tasks 5.3 to 5.5.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -25,6 +29,12 @@ double largest(const lab_05::Edge& edge) {
   return m;
 }
 
+// How far a crossing may be off: 8 roundings of the largest coordinate, and the step of the
+// smallest floats.
+double crossing_error(const lab_05::Edge& edge) {
+  return kRoundings * unit_roundoff<float> * largest(edge) + 0x1p-149;
+}
+
 std::vector<double> exact_crossing(const lab_05::Edge& edge) {
   const ClipPlane plane = pipeline_plane(edge.plane);
   const auto p = exact::exact_point<Rational>(edge.p), q = exact::exact_point<Rational>(edge.q);
@@ -41,8 +51,7 @@ std::string edge_text(const lab_05::Edge& edge) {
 }
 
 Expected crossing_of(const lab_05::Edge& edge, const char* field = "crossing") {
-  return point(field, exact_crossing(edge), kRoundings * unit_roundoff<float> * largest(edge),
-               "clip units");
+  return point(field, exact_crossing(edge), crossing_error(edge), "clip units");
 }
 
 // Checks that every vertex is either a vertex of the polygon itself or exactly on the plane, as a
@@ -75,11 +84,11 @@ std::optional<Divergence> find_vertex_off_plane(const lab_05::PlaneCase& input,
 
 Case expect_outline(const std::string& what, const std::string& text,
                     std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes) {
-  const Expected expected = exact_clip(polygon, planes);
+  const ExactOutline outline = exact_clip(polygon, planes);
   return {.where = what,
           .restated = restated(polygon) + text,
-          .expected = {expected},
-          .judge = [expected](const Answer& answer) { return compare_outlines(expected, answer); }};
+          .expected = {outline.expected},
+          .judge = [outline](const Answer& answer) { return compare_outlines(outline, answer); }};
 }
 
 // Checks that the crossing is near where it should be, and that its distance from the plane is
@@ -123,7 +132,176 @@ std::optional<Divergence> judge_both_ways(const lab_05::EdgesCase& edges, const 
   return found;
 }
 
+// ---- generated inputs ----
+
+using Numbers4 = std::array<double, 4>;
+
+Numbers4 numbers_of(const Point<Clip>& p) {
+  return {p.x, p.y, p.z, p.w};
+}
+
+// The distance from a plane of the frustum: a sum of at most two floats, so its sign is exact.
+double distance_in_double(const lab_05::Plane& plane, const Numbers4& p) {
+  return plane.a * p[0] + plane.b * p[1] + plane.c * p[2] + plane.d * p[3];
+}
+
+// The crossing in double. It differs from the exact one by a few roundings of double: less than
+// 2^-48 of the edge's largest coordinate, or 2^-24 of its error bound.
+constexpr double kShareOfBound = 0x1p-24;
+Numbers4 crossing_in_double(const lab_05::Edge& edge) {
+  const Numbers4 p = numbers_of(edge.p), q = numbers_of(edge.q);
+  const double at_p = std::abs(distance_in_double(edge.plane, p));
+  const double at_q = std::abs(distance_in_double(edge.plane, q));
+  Numbers4 cut{};
+  for (std::size_t i = 0; i < 4; ++i) cut[i] = (p[i] * at_q + q[i] * at_p) / (at_p + at_q);
+  return cut;
+}
+
+double distance_between_points(const Numbers4& a, const double* b) {
+  double distance = 0;
+  for (std::size_t i = 0; i < 4; ++i) distance = std::max(distance, distance_between(a[i], b[i]));
+  return distance;
+}
+
+// A vertex of the part of a polygon inside a plane: a corner that is kept, or a crossing.
+struct PartVertex {
+  Numbers4 place{};
+  double bound = 0;  // 0 for a corner, which keeps its bits
+};
+
+std::vector<PartVertex> part_of(const lab_05::PlaneCase& input) {
+  std::vector<PartVertex> part;
+  const std::size_t n = input.polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const lab_05::Edge edge{input.plane, input.polygon[i], input.polygon[(i + 1) % n]};
+    const double here = distance_in_double(input.plane, numbers_of(edge.p));
+    const double next = distance_in_double(input.plane, numbers_of(edge.q));
+    if (here >= 0) part.push_back({numbers_of(edge.p), 0});
+    if ((here < 0 && next > 0) || (here > 0 && next < 0)) {
+      part.push_back({crossing_in_double(edge), crossing_error(edge) * (1 + kShareOfBound)});
+    }
+  }
+  return part;
+}
+
+bool is_vertex(const lab_05::Plane& plane, const PartVertex& vertex, const double* actual) {
+  const double distance = distance_between_points(vertex.place, actual);
+  if (vertex.bound > 0)
+    return distance <= vertex.bound &&
+           distance_in_double(plane, {actual[0], actual[1], actual[2], actual[3]}) == 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (std::signbit(vertex.place[i]) != std::signbit(actual[i])) return false;
+  }
+  return distance == 0;
+}
+
+// Whether the answer has the vertices of `part`, beginning with any; neighbours that are new may be
+// one vertex of the answer.
+bool has_vertices(const lab_05::Plane& plane, const std::vector<PartVertex>& part,
+                  const std::vector<double>& actual) {
+  const std::size_t given = actual.size() / 4;
+  if (given > part.size()) return false;
+  for (std::size_t start = 0; start < part.size(); ++start) {
+    // Bit j is set if the vertices so far may be those of the answer up to its number j.
+    std::uint32_t ends = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const PartVertex& vertex = part[(start + i) % part.size()];
+      std::uint32_t next = i == 0 ? 1 : ends << 1 | (vertex.bound > 0 ? ends : 0);
+      for (std::size_t j = 0; j < given; ++j) {
+        if ((next >> j & 1) != 0 && !is_vertex(plane, vertex, actual.data() + 4 * j))
+          next &= ~(1u << j);
+      }
+      ends = next & ((1u << given) - 1);
+    }
+    if ((ends >> (given - 1) & 1) != 0) return true;
+  }
+  return false;
+}
+
+// How many vertices are left at least if new ones become one wherever their bounds allow it.
+std::size_t least_vertices(const std::vector<PartVertex>& part) {
+  std::size_t merged = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const PartVertex &a = part[i], &b = part[(i + 1) % part.size()];
+    const bool both_new = a.bound > 0 && b.bound > 0;
+    merged += both_new && distance_between_points(a.place, b.place.data()) <= a.bound + b.bound;
+  }
+  return part.size() - merged;
+}
+
 }  // namespace
+
+bool right_part(const lab_05::PlaneCase& input, const Answer& answer) {
+  const auto* actual = find_field(answer, "polygon");
+  if (actual == nullptr || actual->size() % 4 != 0) return false;
+  const std::vector<PartVertex> part = part_of(input);
+  if (actual->empty()) return part.size() < 3 || least_vertices(part) < 3;
+  return actual->size() >= 12 && part.size() >= 3 && has_vertices(input.plane, part, *actual);
+}
+
+Case expect_part(const lab_05::PlaneCase& input) {
+  Case c = expect_polygon(input);
+  c.judge = [input, before = c.judge](const Answer& answer) -> std::optional<Divergence> {
+    if (right_part(input, answer)) return std::nullopt;
+    if (auto found = before(answer)) return found;
+    return Divergence{.kind = Divergence::Kind::kPosition,
+                      .field = "polygon",
+                      .unit = "clip units",
+                      .explanation =
+                          "a corner that is kept must keep its bits, and a new vertex "
+                          "must be within the bound of 5.3"};
+  };
+  return c;
+}
+
+Case expect_edge(const lab_05::Edge& edge) {
+  Case c{.where = "an edge", .restated = edge_text(edge)};
+  c.judge = [edge](const Answer& answer) -> std::optional<Divergence> {
+    if (auto found = judge_both_ways({edge}, answer)) return found;
+    Answer forward;
+    forward.emit("crossing", *find_field(answer, "p to q"));
+    if (auto found = judge_on_plane(edge, crossing_of(edge), forward)) {
+      found->field = "p to q";
+      return found;
+    }
+    const auto &there = *find_field(answer, "p to q"), &back = *find_field(answer, "q to p");
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (std::signbit(there[i]) == std::signbit(back[i])) continue;
+      return Divergence{.field = "q to p",
+                        .index = i,
+                        .expected = there[i],
+                        .actual = back[i],
+                        .unit = "clip units",
+                        .explanation = "the two directions give zeros of different signs"};
+    }
+    return std::nullopt;
+  };
+  return c;
+}
+
+bool right_edge(const lab_05::Edge& edge, const Answer& answer) {
+  const auto *there = find_field(answer, "p to q"), *back = find_field(answer, "q to p");
+  if (there == nullptr || back == nullptr || there->size() != 4 || back->size() != 4) return false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if ((*there)[i] != (*back)[i] || std::signbit((*there)[i]) != std::signbit((*back)[i]))
+      return false;
+  }
+  if (distance_in_double(edge.plane, {(*there)[0], (*there)[1], (*there)[2], (*there)[3]}) != 0)
+    return false;
+  const double bound = crossing_error(edge);
+  const double distance = distance_between_points(crossing_in_double(edge), there->data());
+  if (distance <= bound * (1 - kShareOfBound)) return true;
+  if (!(distance <= bound * (1 + kShareOfBound))) return false;
+  return !judge_case(expect_edge(edge), answer);
+}
+
+bool right_triangle(const lab_05::FrustumCase& input, const Answer& answer) {
+  return !compare_outlines(exact_clip(input.triangle, pipeline_frustum()), answer);
+}
+
+bool right_pairs(const lab_05::PairsCase& pairs, const Answer& answer) {
+  return !compare_shared_edges(pairs, answer);
+}
 
 Case expect_crossing(const lab_05::Edge& edge) {
   return {"crossing", edge_text(edge), {crossing_of(edge)}};
@@ -161,7 +339,7 @@ Case expect_polygon(const lab_05::PlaneCase& input) {
 
 Case expect_triangle(const lab_05::FrustumCase& input) {
   Case c = expect_outline(input.what, "", input.triangle, pipeline_frustum());
-  c.slipped = {{"opengl-depth", {exact_clip(input.triangle, opengl_frustum())}}};
+  c.slipped = {{"opengl-depth", {exact_clip(input.triangle, opengl_frustum()).expected}}};
   return c;
 }
 

@@ -71,10 +71,11 @@ std::optional<WrongNumber> judge_clip(const Numbers& in, const Numbers& yours,
   std::array<Point<Clip>, 3> corners;
   RecordReader reader(in.data(), in.size());
   for (Point<Clip>& p : corners) p = reader.point<Point<Clip>>();
-  const Expected expected = exact_clip(corners, pipeline_frustum());
+  const ExactOutline outline = exact_clip(corners, pipeline_frustum());
   Answer answer;
-  answer.emit(expected.field, Numbers(yours.begin() + std::ptrdiff_t(kVertices), yours.end()));
-  const auto found = compare_outlines(expected, answer);
+  answer.emit(outline.expected.field,
+              Numbers(yours.begin() + std::ptrdiff_t(kVertices), yours.end()));
+  const auto found = compare_outlines(outline, answer);
   if (!found) return std::nullopt;
   return WrongNumber{found->element, found->actual, found->expected,
                      found->bound,   found->unit,   found->explanation};

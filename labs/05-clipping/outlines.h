@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "labs/05-clipping/cases.h"
+#include "labs/05-clipping/generators.h"
 #include "labs/framework/lab.h"
 
 #include <glassbox/pipeline/clip.h>
@@ -25,14 +25,19 @@ std::vector<glassbox::ClipPlane> opengl_frustum();
 // it has one.
 std::string restated(std::span<const Point<Clip>> polygon);
 
-// The part of the polygon inside all planes, computed in rational numbers and rounded once; empty
-// if it has fewer than three vertices. `bound` is how far each number of an answer may be off.
-Expected exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes);
+// The part of the polygon inside all planes, computed in rational numbers and rounded once.
+struct ExactOutline {
+  Expected expected;            // empty if there are fewer than three vertices
+  std::vector<double> touched;  // the vertices, if there are one or two
+};
+// `expected.bound` is how far each number of an answer may be off.
+ExactOutline exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes);
 
 // Compares a clipped polygon with the expected one; any vertex may come first. Returns nothing if
-// the answer's field is right. Vertices nearer to each other than the bound may be merged into one;
+// the answer's field is right. Vertices nearer to each other than the bound may be merged into one,
+// and there may be other vertices on the same line, where rounding decides what a plane cuts off;
 // but no two neighbours may be equal, and an answer must not have one or two vertices.
-std::optional<Divergence> compare_outlines(const Expected& expected, const Answer& answer);
+std::optional<Divergence> compare_outlines(const ExactOutline& outline, const Answer& answer);
 
 // Compares how two triangles that share an edge were clipped: each end of the part of the edge that
 // remains must be a vertex of both results, with the same bits.
@@ -50,6 +55,15 @@ Case expect_polygon(const lab_05::PlaneCase& input);
 Case expect_triangle(const lab_05::FrustumCase& input);
 Case expect_pairs(const lab_05::PairsCase& pairs);
 Case expect_fan(const int& count);
+
+// The expected answers to generated inputs of tasks 5.3 to 5.5, and whether an answer is right
+// (generated_check() in lab.h).
+Case expect_edge(const lab_05::Edge& edge);
+bool right_edge(const lab_05::Edge& edge, const Answer& answer);
+Case expect_part(const lab_05::PlaneCase& input);
+bool right_part(const lab_05::PlaneCase& input, const Answer& answer);
+bool right_triangle(const lab_05::FrustumCase& input, const Answer& answer);
+bool right_pairs(const lab_05::PairsCase& pairs, const Answer& answer);
 
 // What each plane may add to the error of a vertex: 8 roundings of the largest coordinate of the
 // edge's ends (student.h).

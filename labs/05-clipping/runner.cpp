@@ -1,6 +1,6 @@
 // Calls your functions with the cases of lab 5.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_05 {
@@ -43,6 +43,10 @@ void ask_both_ways(const EdgesCase& edges, Answer& answer) {
   answer.emit("q to p", numbers_of(backward));
 }
 
+void ask_edge(const Edge& edge, Answer& answer) {
+  ask_both_ways({edge}, answer);
+}
+
 void ask_plane(const PlaneCase& input, Answer& answer) {
   answer.emit("polygon", numbers_of(clip_by_plane(input.polygon, input.plane)));
 }
@@ -80,6 +84,13 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("a polygon and one plane", polygons(), ask_plane),
       check("a triangle and the frustum", triangles(), ask_frustum),
       check("a shared edge is cut at one place", pairs_of_triangles(), ask_pairs),
+      generated_check("any face", generated_faces(), ask_faces),
+      generated_check("any point", generated_clip_points(), ask_outcode),
+      generated_check("any outcodes", generated_codes(), ask_verdict),
+      generated_check("any edge", generated_edges(), ask_edge),
+      generated_check("any polygon and plane", generated_polygons(), ask_plane),
+      generated_check("any triangle", generated_triangles(), ask_frustum),
+      generated_check("any two triangles with a common edge", generated_pairs(), ask_pairs),
       // BEGIN HIDDEN
       check("an eye in the face's plane", faces_edge_on(), ask_faces),
       check("points on, before and behind every plane", lattice_points(), ask_outcode),

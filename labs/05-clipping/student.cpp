@@ -38,13 +38,14 @@ bool is_back_face(const std::vector<Point<World>>& face, const Point<World>& eye
 
 std::uint32_t outcode(const Point<Clip>& p) {
   // BEGIN SOLUTION
+  // The conditions are negated, so that a NaN is outside: every comparison with NaN is false.
   std::uint32_t code = 0;
-  if (p.z < 0) code |= kNear;
-  if (p.z > p.w) code |= kFar;
-  if (p.x < -p.w) code |= kLeft;
-  if (p.x > p.w) code |= kRight;
-  if (p.y < -p.w) code |= kBottom;
-  if (p.y > p.w) code |= kTop;
+  if (!(p.z >= 0)) code |= kNear;
+  if (!(p.z <= p.w)) code |= kFar;
+  if (!(p.x >= -p.w)) code |= kLeft;
+  if (!(p.x <= p.w)) code |= kRight;
+  if (!(p.y >= -p.w)) code |= kBottom;
+  if (!(p.y <= p.w)) code |= kTop;
   return code;
   // STUB: throw std::logic_error("5.2: outcode is not written yet");
   // END SOLUTION

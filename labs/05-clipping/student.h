@@ -36,7 +36,10 @@ bool is_back_face(const std::vector<Point<World>>& face, const Point<World>& eye
 inline constexpr std::uint32_t kNear = 1, kFar = 2, kLeft = 4, kRight = 8, kBottom = 16, kTop = 32;
 
 // The sum of the bits of all planes that the point is outside of; 0 for a point inside or on the
-// boundary. w may be negative or 0. Comparisons of floats are exact, so no error is allowed.
+// boundary. w may be negative or 0, and coordinates may be infinite. Comparisons of floats are
+// exact, so no error is allowed. A point is outside of a plane, too, if a coordinate that its
+// inequality compares (z for near, z and w for far, x and w for left, ...) is NaN: nothing shows
+// that it is inside.
 std::uint32_t outcode(const Point<Clip>& p);
 
 enum class Verdict { kReject, kAccept, kClip };
@@ -58,12 +61,13 @@ inline constexpr std::array<Plane, 6> kFrustum{
     {{0, 0, 1, 0}, {0, 0, -1, 1}, {1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}}};
 
 // The point where the edge from p to q meets the plane. p and q are strictly on different sides of
-// it; either may be the one outside. `plane` is one of kFrustum. Required, with u = 2^-24 and M the
-// largest |coordinate| of p and q:
-// - each coordinate is within 8 u M of the exact one;
+// it; either may be the one outside. `plane` is one of kFrustum. Coordinates are any finite floats.
+// Required, with u = 2^-24 and M the largest |coordinate| of p and q:
+// - each coordinate is within 8 u M + 2^-149 of the exact one (2^-149 is the step of the smallest
+//   floats);
 // - crossing(plane, q, p) has the same bits as crossing(plane, p, q): both triangles that share the
 //   edge are cut at the same place (C-38);
-// - the point is exactly on the plane: z = 0, z = w, x = -w, ... hold to the bit.
+// - the point is exactly on the plane: z = 0, z = w, x = -w, ... hold exactly (-0 is 0).
 Point<Clip> crossing(const Plane& plane, const Point<Clip>& p, const Point<Clip>& q);
 
 // ---- 5.4 ----
@@ -72,16 +76,18 @@ using Polygon = std::vector<Point<Clip>>;
 
 // The part of a convex polygon inside one plane of kFrustum, in the polygon's order, beginning with
 // any vertex. A vertex exactly on the plane is inside; it is kept as it is, and not repeated.
-// Vertices that are kept have the same bits; new ones are as exact as those of 5.3. If fewer than
-// three vertices would be left, the answer is empty.
+// Vertices that are kept have the same bits; new ones are as exact as those of 5.3, and on the
+// plane. New vertices that are equal may stay, or become one. If fewer than three vertices would be
+// left, the answer is empty.
 Polygon clip_by_plane(const Polygon& polygon, const Plane& plane);
 
 // ---- 5.5 ----
 
 // The part of a triangle inside all six planes: 3 to 9 vertices in the triangle's order, beginning
 // with any, or none. No two neighbours (the last and the first are neighbours) have equal
-// coordinates. w of the corners may be negative. Two triangles that share an edge, which one of
-// them passes from A to B and the other from B to A, are cut at points with the same bits.
+// coordinates. w of the corners may be negative; coordinates are below 2^125 in size. Two triangles
+// that share an edge, which one of them passes from A to B and the other from B to A, are cut at
+// points with the same bits.
 Polygon clip_to_frustum(const std::array<Point<Clip>, 3>& triangle);
 
 }  // namespace lab_05
