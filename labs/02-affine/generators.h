@@ -53,11 +53,12 @@ inline TurnCase a_turn(Choices& c, int lowest, int highest) {
   return {{x, y}, any_degrees(c)};
 }
 
+inline TurnCase turn_about_origin(Choices& c) {
+  return {{0, 0}, any_degrees(c)};
+}
+
 inline std::vector<InputClass<TurnCase>> generated_turns() {
-  return {{"about the origin", 10'000,
-           [](Choices& c) {
-             return TurnCase{{0, 0}, any_degrees(c)};
-           }},
+  return {{"about the origin", 10'000, turn_about_origin},
           {"about points of usual size", 20'000, [](Choices& c) { return a_turn(c, -10, 10); }},
           {"about points of every size", 10'000, [](Choices& c) { return a_turn(c, -1074, 999); }}};
 }
@@ -119,36 +120,38 @@ inline Step any_step(Choices& c) {
   }
 }
 
+inline ComposeCase one_step(Choices& c) {
+  return {"one step", {any_step(c)}};
+}
+inline ComposeCase one_turn(Choices& c) {
+  const Vector<World, double> axis = any_axis(c);
+  return {"a turn", {turn(axis.x, axis.y, axis.z, any_degrees(c))}};
+}
+inline ComposeCase some_steps(Choices& c) {
+  ComposeCase made{"steps", {}};
+  const std::uint64_t count = 2 + c.below(5);
+  for (std::uint64_t i = 0; i < count; ++i) made.steps.push_back(any_step(c));
+  return made;
+}
+inline ComposeCase many_steps(Choices& c) {
+  ComposeCase made{"many steps", {}};
+  const std::uint64_t count = c.below(41);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const Vector<World, double> v = small_vector(c, 3);
+    if (c.flag()) {
+      made.steps.push_back(turn(v.x, v.y, v.z, any_degrees(c)));
+    } else {
+      made.steps.push_back(move(v.x, v.y, v.z));
+    }
+  }
+  return made;
+}
+
 inline std::vector<InputClass<ComposeCase>> generated_compositions() {
-  return {{"one step of each kind", 15'000,
-           [](Choices& c) {
-             return ComposeCase{"one step", {any_step(c)}};
-           }},
-          {"turns about axes of every direction and length", 10'000,
-           [](Choices& c) {
-             const Vector<World, double> axis = any_axis(c);
-             return ComposeCase{"a turn", {turn(axis.x, axis.y, axis.z, any_degrees(c))}};
-           }},
-          {"two to six steps in any order", 15'000,
-           [](Choices& c) {
-             ComposeCase made{"steps", {}};
-             const std::uint64_t count = 2 + c.below(5);
-             for (std::uint64_t i = 0; i < count; ++i) made.steps.push_back(any_step(c));
-             return made;
-           }},
-          {"up to 40 steps that keep the size", 1'000, [](Choices& c) {
-             ComposeCase made{"many steps", {}};
-             const std::uint64_t count = c.below(41);
-             for (std::uint64_t i = 0; i < count; ++i) {
-               const Vector<World, double> v = small_vector(c, 3);
-               if (c.flag()) {
-                 made.steps.push_back(turn(v.x, v.y, v.z, any_degrees(c)));
-               } else {
-                 made.steps.push_back(move(v.x, v.y, v.z));
-               }
-             }
-             return made;
-           }}};
+  return {{"one step of each kind", 15'000, one_step},
+          {"turns about axes of every direction and length", 10'000, one_turn},
+          {"two to six steps in any order", 15'000, some_steps},
+          {"up to 40 steps that keep the size", 1'000, many_steps}};
 }
 
 // ---- three points (task 2.3) ----
@@ -200,10 +203,13 @@ inline std::array<Point2, 3> in_any_order(Choices& c, std::array<Point2, 3> p) {
   return p;
 }
 
-// Three points that span twice the area `off`, which is the smallest that integers allow: 0, 1, 2
-// or 3 times the greatest common divisor of the coordinates of one edge. They may be 2^20 apart.
+// Three points that are as near to a line as integers allow, or on it: twice their area is 0, 1, 2
+// or 3 times the greatest common divisor of one edge's coordinates. The edge has any length up to
+// that of the whole range of coordinates.
 inline FitCase needle(Choices& c) {
-  const auto dx = c.sized(20), dy = c.sized(20);
+  const bool of_any_size = !c.flag();
+  const std::int64_t dx = of_any_size ? c.sized(20) : c.integer(-2 * kFarthest, 2 * kFarthest);
+  const std::int64_t dy = of_any_size ? c.sized(20) : c.integer(-2 * kFarthest, 2 * kFarthest);
   // Euclid's algorithm, which keeps each remainder as a sum u dx + v dy.
   std::int64_t r = dx, u = 1, v = 0, next_r = dy, next_u = 0, next_v = 1;
   while (next_r != 0) {
@@ -212,12 +218,11 @@ inline FitCase needle(Choices& c) {
     u = std::exchange(next_u, u - q * next_u);
     v = std::exchange(next_v, v - q * next_v);
   }
-  const std::int64_t off = c.integer(-3, 3), ahead = c.integer(-1, 1);
+  const std::int64_t off = c.integer(-3, 3);
+  std::int64_t x = -off * v, y = off * u;
+  if (x * dx + y * dy < 0) x += dx, y += dy;  // not behind the edge's first point
   const Point2 p{inside(-dx / 2), inside(-dy / 2)};
-  const std::int64_t x = c.integer(-9, 9), y = c.integer(-9, 9);
-  const Point2 at = shifted(p, x, y);
-  return fit_of(c, in_any_order(c, {at, shifted(at, dx, dy),
-                                    shifted(at, ahead * dx - off * v, ahead * dy + off * u)}));
+  return fit_of(c, in_any_order(c, {p, shifted(p, dx, dy), shifted(p, x, y)}));
 }
 
 // Three points on a line: `at` and multiples of a small vector from it.
@@ -249,7 +254,7 @@ inline std::vector<InputClass<FitCase>> generated_fits() {
              return fit_of(c, {p, shifted(p, qx, qy), shifted(p, rx, ry)});
            }},
           {"points on a line, and points that are the same", 15'000, on_a_line},
-          {"needles up to 2^20 long, as near to a line as integers allow", 15'000, needle}};
+          {"needles of every length, as near to a line as integers allow", 15'000, needle}};
 }
 
 // ---- rotations (tasks 2.4 and 2.5) ----

@@ -213,18 +213,26 @@ inline OntoCase half_turn(Choices& c) {
   return onto(from, -from);
 }
 
+inline OntoCase onto_any(Choices& c) {
+  const auto [along, across] = perpendicular_pair(c);
+  return onto(along, across + along * c.multiple(-4, 4, 16));
+}
+inline OntoCase onto_nearly_same(Choices& c) {
+  return onto_nearly(c, 1, -52);
+}
+inline OntoCase onto_nearly_opposite(Choices& c) {
+  return onto_nearly(c, -1, -40);
+}
+inline OntoCase onto_nearly_right_angle(Choices& c) {
+  return onto_nearly(c, 0, -60);
+}
+
 inline std::vector<InputClass<OntoCase>> generated_directions() {
   return {{"whole numbers of every length", 20'000, onto_of_whole_numbers},
-          {"directions of every kind", 15'000,
-           [](Choices& c) {
-             const auto [along, across] = perpendicular_pair(c);
-             return onto(along, across + along * c.multiple(-4, 4, 16));
-           }},
-          {"nearly the same direction (C-04)", 10'000,
-           [](Choices& c) { return onto_nearly(c, 1, -52); }},
-          {"nearly opposite directions (C-05)", 15'000,
-           [](Choices& c) { return onto_nearly(c, -1, -40); }},
-          {"nearly a right angle", 5'000, [](Choices& c) { return onto_nearly(c, 0, -60); }},
+          {"directions of every kind", 15'000, onto_any},
+          {"nearly the same direction (C-04)", 10'000, onto_nearly_same},
+          {"nearly opposite directions (C-05)", 15'000, onto_nearly_opposite},
+          {"nearly a right angle", 5'000, onto_nearly_right_angle},
           {"half turns about axes of every pattern of signs (C-05)", 15'000, half_turn}};
 }
 
@@ -303,21 +311,22 @@ inline KindCase neither(Choices& c) {
 // The bounds of the sizes follow from R^T R - I for R = Q (I + E), where Q is a rotation or mirror:
 // its largest entry is at most 2 |E| + |E|^2. If E has one entry, or is a multiple of I, the
 // largest entry is at least |E| for a column, and at least sqrt(2)/3 |E| for a row.
+inline KindCase with_small_error(Choices& c) {
+  const double size = std::ldexp(1, -int(c.integer(22, 60)));
+  return with_error(c, size * (1 + c.multiple(0, 1, 64)) / 2);
+}
+inline KindCase with_large_error(Choices& c) {
+  const double size = std::ldexp(1, -int(c.integer(0, 12)));
+  return with_error(c, size * (1 + c.multiple(0, 1, 64) / 2));
+}
+inline KindCase without_error(Choices& c) {
+  return {"a rotation or mirror", rotation_or_mirror(c)};
+}
+
 inline std::vector<InputClass<KindCase>> generated_kinds() {
-  return {{"rotations and mirrors, and what is beside the 3 x 3 part", 15'000,
-           [](Choices& c) {
-             return KindCase{"a rotation or mirror", rotation_or_mirror(c)};
-           }},
-          {"errors up to 10^-6 (C-12)", 15'000,
-           [](Choices& c) {
-             const double size = std::ldexp(1, -int(c.integer(22, 60)));
-             return with_error(c, size * (1 + c.multiple(0, 1, 64)) / 2);
-           }},
-          {"errors of 10^-4 and more", 15'000,
-           [](Choices& c) {
-             const double size = std::ldexp(1, -int(c.integer(0, 12)));
-             return with_error(c, size * (1 + c.multiple(0, 1, 64) / 2));
-           }},
+  return {{"rotations and mirrors, and what is beside the 3 x 3 part", 15'000, without_error},
+          {"errors up to 10^-6 (C-12)", 15'000, with_small_error},
+          {"errors of 10^-4 and more", 15'000, with_large_error},
           {"matrices that are far from every rotation and mirror", 10'000, neither}};
 }
 
