@@ -2,6 +2,7 @@
 // double.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <span>
 
@@ -12,7 +13,8 @@
 #include <glassbox/mesh/obj/parse.h>
 #include <glassbox/mesh/topology.h>
 
-#include "labs/01-meshes/cases.h"
+#include "labs/01-meshes/generators.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -43,6 +45,49 @@ Case expect_tables(const TextCase& input) {
   return c;
 }
 
+// What is expected of a generated text. The C library reads the numbers: it rounds to the nearest
+// float.
+std::vector<Expected> tables_of(const AnyText& input) {
+  if (input.refused) return {numbers("refused", {1})};
+  std::vector<double> positions;
+  for (const std::string& number : input.numbers)
+    positions.push_back(double(std::strtof(number.c_str(), nullptr)));
+  double corners = 0;
+  for (std::size_t i = 0; i < input.faces.size(); i += 1 + std::size_t(input.faces[i]))
+    corners += input.faces[i];
+  return {numbers("refused", {0}), polygon("positions", 3, positions, 0, "object units"),
+          numbers("faces", input.faces), numbers("corners in the table", {corners}),
+          numbers("further entries", {0})};
+}
+
+Case expect_any_text(const AnyText& input) {
+  return {input.what,
+          (input.refused ? "this text must be refused (1):\n" : "the text is\n") + input.text +
+              "\n\"further entries\" counts what should be empty or kNone, but is not",
+          tables_of(input)};
+}
+
+// Whether an answer's field has these numbers, each within the bound.
+bool are_near(const Answer& answer, const std::string& field, const std::vector<double>& right,
+              double bound) {
+  const auto* values = find_field(answer, field);
+  if (values == nullptr || values->size() != right.size()) return false;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    if (!(distance_between(right[i], (*values)[i]) <= bound)) return false;
+  }
+  return true;
+}
+
+bool are_near(const Answer& answer, const std::vector<Expected>& all) {
+  return std::all_of(all.begin(), all.end(), [&](const Expected& each) {
+    return are_near(answer, each.field, each.values, each.bound);
+  });
+}
+
+bool right_text(const AnyText& input, const Answer& answer) {
+  return are_near(answer, tables_of(input));
+}
+
 // ---- adjacency ----
 
 std::string face_text(const Mesh& mesh) {
@@ -57,8 +102,8 @@ std::string face_text(const Mesh& mesh) {
   return text;
 }
 
-Case expect_edges(const MeshCase& input) {
-  const Topology topology = find_topology(input.mesh);
+std::vector<Expected> edges_of(const Mesh& mesh) {
+  const Topology topology = find_topology(mesh);
   std::vector<double> rows;
   for (const glassbox::Edge& edge : topology.edges) {
     int ascending = 0;
@@ -67,13 +112,20 @@ Case expect_edges(const MeshCase& input) {
     rows.insert(rows.end(), {double(edge.low), double(edge.high), double(ascending),
                              double(int(edge.count) - ascending)});
   }
-  return {
-      input.what,
-      face_text(input.mesh) +
-          "; each row: lower position, higher position, number of faces that pass from low to "
-          "high, and from high to low",
-      {matrix("edges", 4, rows), numbers("V - E + F", {double(topology.euler_characteristic())}),
-       numbers("closed", {topology.closed() ? 1.0 : 0.0})}};
+  return {matrix("edges", 4, rows), numbers("V - E + F", {double(topology.euler_characteristic())}),
+          numbers("closed", {topology.closed() ? 1.0 : 0.0})};
+}
+
+Case expect_edges(const MeshCase& input) {
+  return {input.what,
+          face_text(input.mesh) +
+              "; each row: lower position, higher position, how often faces pass from low to high, "
+              "and from high to low",
+          edges_of(input.mesh)};
+}
+
+bool right_edges(const MeshCase& input, const Answer& answer) {
+  return are_near(answer, edges_of(input.mesh));
 }
 
 // Which faces must be turned. The first face of each connected group is not turned; the decisions
@@ -105,6 +157,28 @@ Case expect_turns(const MeshCase& input) {
   return {input.what, face_text(input.mesh), {numbers("turned", turns_of(input.mesh))}};
 }
 
+// Whether there is an answer, and which: the turns must be right at every edge of two faces.
+std::vector<Expected> any_turns_of(const Mesh& mesh) {
+  const std::vector<double> turns = turns_of(mesh);
+  const Topology topology = find_topology(mesh);
+  for (const glassbox::Edge& edge : topology.edges) {
+    if (edge.count != 2) continue;
+    const EdgeUse &a = topology.uses[edge.first], &b = topology.uses[edge.first + 1];
+    if ((a.ascending == b.ascending) == (turns[a.face] == turns[b.face]))
+      return {numbers("there is an answer", {0})};
+  }
+  return {numbers("there is an answer", {1}), numbers("turned", turns)};
+}
+
+Case expect_any_turns(const MeshCase& input) {
+  return {input.what, face_text(input.mesh) + "; 1: an answer, 0: std::nullopt",
+          any_turns_of(input.mesh)};
+}
+
+bool right_turns(const MeshCase& input, const Answer& answer) {
+  return are_near(answer, any_turns_of(input.mesh));
+}
+
 Case expect_sides(const SidesCase& input) {
   return {input.what,
           "one-sided mesh: " + face_text(input.one_sided) + "; 1: an answer, 0: std::nullopt",
@@ -114,13 +188,11 @@ Case expect_sides(const SidesCase& input) {
 
 // ---- normals ----
 
-Case expect_newell(const PolygonCase& input) {
+std::vector<Expected> newell_of(const PolygonCase& input) {
   std::vector<Point<Object, double>> corners;
-  std::string text = "corners";
   double longest = 0;
   for (const Point<Object>& p : input.corners) {
     corners.emplace_back(p.x, p.y, p.z);
-    text += fmt::format(" ({}, {}, {})", p.x, p.y, p.z);
     const Vector<Object, double> d = corners.back() - corners.front();
     longest = std::max({longest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
   }
@@ -134,19 +206,42 @@ Case expect_newell(const PolygonCase& input) {
   // N - 1 additions of N products follow, so the error is at most gamma(N + 4) times 4 N L^2.
   const int n = int(corners.size());
   const double bound = gamma<float>(n + 4) * 4 * n * longest * longest;
-  return {input.what, text, {point("newell", {m.x, m.y, m.z}, bound, "object units squared")}};
+  return {point("newell", {m.x, m.y, m.z}, bound, "object units squared")};
+}
+
+Case expect_newell(const PolygonCase& input) {
+  std::string text = "corners";
+  for (const Point<Object>& p : input.corners) text += fmt::format(" ({}, {}, {})", p.x, p.y, p.z);
+  return {input.what, text, newell_of(input)};
+}
+
+bool right_newell(const PolygonCase& input, const Answer& answer) {
+  return are_near(answer, newell_of(input));
+}
+
+// The components of the cross product and the dot product are exact in double, so only the square,
+// the root and the arctangent round; in long double, which has 11 digits more on most processors,
+// their errors do not matter.
+std::vector<Expected> angle_of(const AngleCase& input) {
+  using Long = long double;
+  const Vector<Object, double> across = cross(input.a, input.b);
+  const Vector<Object, Long> v{across.x, across.y, across.z};
+  const auto angle = double(std::atan2(std::sqrt(dot(v, v)), Long(dot(input.a, input.b))));
+  // u is the unit roundoff. With square, sum, root, quotient and arctangent the errors add up to
+  // 8 u in the student's angle. The bound is twice that, as student.h says: it leaves room for
+  // other formulas, and for our own rounding.
+  return {numbers("angle", {angle}, 16 * unit_roundoff<double> * angle, "radian")};
 }
 
 Case expect_angle(const AngleCase& input) {
-  const double angle = glassbox::angle_between(input.a, input.b);
-  // The cross and dot products are exact or rounded once or twice. With square, root, quotient and
-  // arctangent the errors add up to 8 u (u: unit roundoff of double) in the student's angle, and to
-  // 8 u in ours.
-  const double bound = 16 * unit_roundoff<double> * angle;
   return {input.what,
           fmt::format("a = ({}, {}, {}), b = ({}, {}, {})", input.a.x, input.a.y, input.a.z,
                       input.b.x, input.b.y, input.b.z),
-          {numbers("angle", {angle}, bound, "radian")}};
+          angle_of(input)};
+}
+
+bool right_angle(const AngleCase& input, const Answer& answer) {
+  return are_near(answer, angle_of(input));
 }
 
 }  // namespace
@@ -162,21 +257,29 @@ Lab lab_01() {
        {"1.4", "Newell's normal", 25},
        {"1.5", "The angle between two vectors", 10}},
       {check("the tables are as the text says", "1.1", "object", texts, expect_tables),
+       generated_check("any text", "1.1", "object", generated_texts, expect_any_text, right_text),
        hidden_check("texts with mistakes and odd numbers", "1.1", "object", hidden_texts,
                     expect_tables),
        check("every edge is found, and who uses it", "1.2", "object", edge_meshes, expect_edges),
+       generated_check("any mesh", "1.2", "object", generated_meshes, expect_edges, right_edges),
        hidden_check("tori, books and repeated corners", "1.2", "object", hidden_edge_meshes,
                     expect_edges),
        check("faces are turned until all agree", "1.3", "object", turn_meshes, expect_turns),
        check("a surface with one side is told from one with two", "1.3", "object", one_sided_meshes,
              expect_sides),
+       generated_check("any surface", "1.3", "object", generated_surfaces, expect_any_turns,
+                       right_turns),
        hidden_check("meshes in several pieces", "1.3", "object", hidden_turn_meshes, expect_turns),
        check("the normal has the length and the direction of the area", "1.4", "object", polygons,
              expect_newell),
        check("the normal is as good far away", "1.4", "object", far_polygons, expect_newell),
+       generated_check("any polygon", "1.4", "object", generated_polygons, expect_newell,
+                       right_newell),
        hidden_check("polygons that are concave, bent or thin", "1.4", "object", hidden_polygons,
                     expect_newell),
        check("angles between vectors", "1.5", "object", angles, expect_angle),
+       generated_check("any two vectors", "1.5", "object", generated_angles, expect_angle,
+                       right_angle),
        hidden_check("angles near 0 and near half a turn", "1.5", "object", hidden_angles,
                     expect_angle)}};
 }

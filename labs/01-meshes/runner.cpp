@@ -1,7 +1,7 @@
 // Calls your functions with the cases of lab 1.
 #include <stdexcept>
 
-#include "cases.h"
+#include "generators.h"
 #include "labs/framework/runner.h"
 #include "student.h"
 
@@ -35,6 +35,33 @@ void ask_read(const TextCase& input, Answer& answer) {
   answer.emit("refused", {refused});
 }
 
+// How much of a mesh should be empty, or kNone, but is not.
+double further_entries(const Mesh& mesh) {
+  std::size_t further = mesh.name.size() + mesh.normals.size() + mesh.texcoords.size() +
+                        mesh.colors.size() + mesh.lines.size() + mesh.points.size();
+  for (const glassbox::Corner& corner : mesh.corners)
+    further += corner.normal != glassbox::kNone || corner.texcoord != glassbox::kNone ||
+                       corner.color != glassbox::kNone
+                   ? 1
+                   : 0;
+  return double(further);
+}
+
+void ask_any_text(const AnyText& input, Answer& answer) {
+  Mesh mesh;
+  double refused = 0;
+  try {
+    mesh = read_mesh(input.text);
+  } catch (const std::invalid_argument&) {
+    refused = 1;
+  }
+  answer.emit("refused", {refused});
+  if (refused == 1) return;
+  emit_mesh(mesh, answer);
+  answer.emit("corners in the table", {double(mesh.corners.size())});
+  answer.emit("further entries", {further_entries(mesh)});
+}
+
 void ask_edges(const MeshCase& input, Answer& answer) {
   const EdgeTable table = find_edges(input.mesh);
   std::vector<double> rows;
@@ -49,6 +76,13 @@ void ask_edges(const MeshCase& input, Answer& answer) {
 
 void ask_turn(const MeshCase& input, Answer& answer) {
   const auto turns = faces_to_turn(input.mesh);
+  if (turns) answer.emit("turned", {turns->begin(), turns->end()});
+}
+
+// Also says whether there is an answer, since there may be none.
+void ask_any_turn(const MeshCase& input, Answer& answer) {
+  const auto turns = faces_to_turn(input.mesh);
+  answer.emit("there is an answer", {turns ? 1.0 : 0.0});
   if (turns) answer.emit("turned", {turns->begin(), turns->end()});
 }
 
@@ -79,6 +113,11 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("the normal has the length and the direction of the area", polygons(), ask_newell),
       check("the normal is as good far away", far_polygons(), ask_newell),
       check("angles between vectors", angles(), ask_angle),
+      generated_check("any text", generated_texts(), ask_any_text),
+      generated_check("any mesh", generated_meshes(), ask_edges),
+      generated_check("any surface", generated_surfaces(), ask_any_turn),
+      generated_check("any polygon", generated_polygons(), ask_newell),
+      generated_check("any two vectors", generated_angles(), ask_angle),
       // BEGIN HIDDEN
       check("texts with mistakes and odd numbers", hidden_texts(), ask_read),
       check("tori, books and repeated corners", hidden_edge_meshes(), ask_edges),

@@ -26,29 +26,30 @@ using glassbox::Vector;
 //
 //   v X Y Z        a position
 //   f I J K ...    a polygon of three or more corners: numbers of positions, the first being 1;
-//                  -1 is the last position read so far, -2 the one before it
+//                  -1 is the last position read so far, -2 the one before it; below 2^62 in size
 //   # anything     a comment; it may also end another line. Empty lines and further spaces mean
 //                  nothing.
 //
 // Fills `positions`, `corners` and `faces` (<glassbox/mesh/mesh.h>). The corners of all faces are
 // in one table. A Face is {the index of its first corner in that table, how many corners it has},
 // and a Corner has its `position`, counted from 0. Everything else stays empty or kNone. Numbers
-// become the nearest floats.
+// become the nearest floats, which may be subnormal or 0; none is too large for a float.
 // Throws std::invalid_argument where a corner names no position read so far (number 0 included), a
 // face has fewer than three corners, or a position has fewer than three numbers.
 Mesh read_mesh(const std::string& text);
 
-// An edge: two vertices, and how many faces pass along it in each direction.
+// An edge: two vertices, and how often faces pass along it in each direction. A face that passes
+// along it twice counts twice.
 struct Edge {
   std::uint32_t low = 0, high = 0;  // positions, low < high
-  int ascending = 0;                // faces that pass from low to high
-  int descending = 0;               // faces that pass from high to low
+  int ascending = 0;                // how often faces pass from low to high
+  int descending = 0;               // how often faces pass from high to low
 };
 
 struct EdgeTable {
   std::vector<Edge> edges;  // each pair once, sorted by low, then by high
   int euler = 0;            // V - E + F
-  bool closed = false;      // every edge has exactly two faces, and there are faces
+  bool closed = false;      // faces pass along every edge exactly twice, and some face takes part
 };
 
 // Task 1.2. The edges of a mesh. A face passes along an edge from each corner to the next and from
@@ -69,7 +70,8 @@ std::optional<std::vector<int>> faces_to_turn(const Mesh& mesh);
 // zero if all corners are the same point.
 // Error bound of each component: gamma(N + 4) 4 N L^2, where N is the number of corners and L the
 // largest difference of a coordinate from that of the first corner. It does not depend on how far
-// away the polygon is. Coordinates are at most 2^20 in size.
+// away the polygon is. Coordinates are at most 2^20 in size. L is 0 or at least 2^-50, so that
+// nothing in float becomes subnormal that matters.
 Vector<Object> newell_vector(const std::vector<Point<Object>>& polygon);
 
 // Task 1.5. The angle between two vectors in radians, in [0, pi]. Neither is zero; components are

@@ -165,20 +165,20 @@ inline std::vector<LineCase> lines() {
 
 struct RotationCase {
   const char* what;
-  double w, x, y, z;
+  std::int32_t w, x, y, z;  // at most 2^25 in size
 };
 
 // The rotation of the quaternion (w; x, y, z), whose components are integers: each entry is a
-// quotient of integers, which needs only one rounding.
+// quotient of integers that are exact in double, so it has only one rounding.
 inline Transform<World, World> rotation_of(const RotationCase& q) {
-  const double n = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-  const double v[3] = {q.x, q.y, q.z};
+  const double w = q.w, v[3] = {double(q.x), double(q.y), double(q.z)};
+  const double n = w * w + v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
   Transform<World, World> m;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    m.at(i, i) = (q.w * q.w + v[i] * v[i] - v[j] * v[j] - v[k] * v[k]) / n;
-    m.at(i, j) = 2 * (v[i] * v[j] - q.w * v[k]) / n;
-    m.at(j, i) = 2 * (v[i] * v[j] + q.w * v[k]) / n;
+    m.at(i, i) = (w * w + v[i] * v[i] - v[j] * v[j] - v[k] * v[k]) / n;
+    m.at(i, j) = 2 * (v[i] * v[j] - w * v[k]) / n;
+    m.at(j, i) = 2 * (v[i] * v[j] + w * v[k]) / n;
   }
   return m;
 }
@@ -212,7 +212,7 @@ inline std::vector<RotationCase> hidden_rotations() {
           {"a little less than a right angle", 100, 60, 60, -50},
       },
       24, 3, [](glassbox::Random& random) {
-        const auto in = [&](int low) { return double(random.integer(low, 9)); };
+        const auto in = [&](int low) { return std::int32_t(random.integer(low, 9)); };
         return RotationCase{"whole numbers", in(1), in(-9), in(-9), in(1)};
       });
 }
@@ -228,7 +228,7 @@ struct DriftCase {
 // The rotation after `steps` multiplications by a small rotation in float, as for a spinning
 // object; rounding errors have made it drift away from a rotation (C-11).
 inline Transform<World, World> drifted(int steps) {
-  const auto step = round_to_float(rotation_of({"", 150, 1, -0.5, 0.25}));
+  const auto step = round_to_float(rotation_of({"", 600, 4, -2, 1}));
   auto m = step;
   for (int i = 1; i < steps; ++i) m = step * m;
   return Transform<World, World>(glm::dmat4(m.columns));
@@ -255,7 +255,7 @@ inline std::vector<DriftCase> hidden_drifts() {
           {"a rotation written with six digits", disturbed({"", 1, 7, -2, 3}, 5e-7)},
           {"an error as large as is allowed", disturbed({"", 2, -3, 1, 1}, 0.0025)}},
       25, 2, [](glassbox::Random& random) {
-        const auto in = [&](int low) { return double(random.integer(low, 9)); };
+        const auto in = [&](int low) { return std::int32_t(random.integer(low, 9)); };
         const RotationCase q{"", in(1), in(-9), in(-9), in(1)};
         return DriftCase{"disturbed", disturbed(q, random.between(1e-6, 2e-3))};
       });

@@ -25,7 +25,10 @@ Matrix3 turn_about(const Point2& centre, double degrees) {
 // ---- task 2.2: one step after the other ----
 
 // BEGIN SOLUTION
-static Transform<World, World> rotation(const Vector<World, double>& axis, double degrees) {
+static Transform<World, World> rotation(const Vector<World, double>& about, double degrees) {
+  // Divided by its largest component first, so that no square overflows or becomes 0.
+  const double largest = std::max({std::abs(about.x), std::abs(about.y), std::abs(about.z)});
+  const Vector<World, double> axis{about.x / largest, about.y / largest, about.z / largest};
   const double length = std::sqrt(dot(axis, axis));
   const double a[3] = {axis.x / length, axis.y / length, axis.z / length};
   const double angle = degrees * (std::numbers::pi / 180);

@@ -11,7 +11,7 @@
 #include <glassbox/pipeline/affine.h>
 #include <glassbox/pipeline/look_at.h>
 
-#include "labs/03-view/cases.h"
+#include "labs/03-view/generators.h"
 #include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
@@ -20,7 +20,6 @@ namespace glassbox::labs {
 namespace {
 
 using namespace lab_03;
-using Direction = Vector<World, double>;
 
 constexpr double u = unit_roundoff<double>;
 
@@ -120,23 +119,72 @@ double with_eye(double bound, const Camera& camera) {
 // product. The pipeline's own axes are within (8 + 4/s) u. Together this is less than
 // 32 u (1 + 1/s). The three products of U.e (e: the position of the eye) sum up to at most sqrt(3)
 // times the largest coordinate, since U has length 1.
-Case expect_uvn(const CameraCase& input) {
-  const Camera& camera = input.camera;
+Bounds uvn_bounds(const Camera& camera) {
   const double s = sine_between(camera.up, camera.target - camera.eye);
   const double bound = 32 * u * (1 + 1 / s);
-  return expect_view(input, {bound, with_eye(bound, camera)});
+  return {bound, with_eye(bound, camera)};
+}
+
+Case expect_uvn(const CameraCase& input) {
+  return expect_view(input, uvn_bounds(input.camera));
+}
+
+// Whether an answer's field has the numbers, each within the bound.
+template <class Numbers>
+bool are_near(const Answer& answer, const char* field, const Numbers& right, double bound) {
+  const auto* values = find_field(answer, field);
+  if (values == nullptr || values->size() != right.size()) return false;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    if (!(distance_between(right[i], (*values)[i]) <= bound)) return false;
+  }
+  return true;
+}
+
+bool right_view(const Transform<Eye, World>& view, const Answer& answer, const Bounds& bounds) {
+  return are_near(answer, "rotation", entries(view, 3, 3), bounds.rotation) &&
+         are_near(answer, "eye_from_world", entries(view), bounds.view);
+}
+
+// A camera that may have no view.
+Case expect_any_uvn(const CameraCase& input) {
+  const Camera& camera = input.camera;
+  const bool has_view = look_at(camera.eye, camera.target, camera.up).has_value();
+  const Expected there = numbers("there is a view", {has_view ? 1.0 : 0.0});
+  if (!has_view)
+    return {input.what, camera_text(camera) + "; 1: there is a view, 0: std::nullopt", {there}};
+  Case c = expect_uvn(input);
+  c.expected.insert(c.expected.begin(), there);
+  for (ExpectedWithSlip& slip : c.slipped) slip.expected.insert(slip.expected.begin(), there);
+  return c;
+}
+
+bool right_uvn(const CameraCase& input, const Answer& answer) {
+  const Camera& camera = input.camera;
+  const auto view = look_at(camera.eye, camera.target, camera.up);
+  const std::vector<double> there{view ? 1.0 : 0.0};
+  if (!are_near(answer, "there is a view", there, 0)) return false;
+  return !view || right_view(*view, answer, uvn_bounds(camera));
 }
 
 // u is the unit roundoff; s and g are the sines of the angles from the gaze to `up` and to z. The
 // axis of the first rotation is a cross product of length g, with the error 10 u / g. For a small
 // angle the axis is multiplied by the angle's sine, which cancels the 1/g; near half a turn (the
 // gaze along +z) nothing does. The second rotation adds the error from `up`: 10 u / s.
-Case expect_axis_angle(const CameraCase& input) {
-  const Camera& camera = input.camera;
+Bounds axis_angle_bounds(const Camera& camera) {
   const Direction gaze = camera.target - camera.eye;
   const double s = sine_between(camera.up, gaze), g = sine_between(gaze, {0, 0, 1});
   const double bound = 64 * u * (1 + 1 / s + (gaze.z > 0 && g > 0 ? 1 / g : 0));
-  Case c = expect_view(input, {bound, with_eye(bound, camera)});
+  return {bound, with_eye(bound, camera)};
+}
+
+bool right_axis_angle(const CameraCase& input, const Answer& answer) {
+  const Camera& camera = input.camera;
+  const auto view = look_at(camera.eye, camera.target, camera.up);
+  return view && right_view(*view, answer, axis_angle_bounds(camera));
+}
+
+Case expect_axis_angle(const CameraCase& input) {
+  Case c = expect_view(input, axis_angle_bounds(input.camera));
   // In this task no U and V are computed, so there is no cross product whose factors could be
   // swapped.
   std::erase_if(c.slipped, [](const ExpectedWithSlip& each) { return each.slip == "cross-order"; });
@@ -157,39 +205,55 @@ std::string onto_text(const OntoCase& input) {
   return fmt::format("from ({}, {}, {}) to ({}, {}, {})", from.x, from.y, from.z, to.x, to.y, to.z);
 }
 
+struct Onto {
+  std::vector<double> rotation;
+  double bound = 0;
+  Direction axis;
+  double radians = 0;
+};
+
 // With the unit vectors f and t of the two directions, v = f x t, cos = f.t, and [v]x the matrix of
 // the cross product with v, the rotation is R = cos I + [v]x + v v^T / (1 + cos). Beyond a right
 // angle 1 + cos is computed as |v|^2 / (1 - cos), where no digits cancel.
-Case expect_onto(const OntoCase& input) {
+Onto onto_of(const OntoCase& input) {
   using Long = Vector<World, long double>;
+  // Divided by the largest component first: a processor may have no longer format than double.
   const auto unit = [](const Direction& d) {
-    const Long v(d.x, d.y, d.z);
+    const double largest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    const Long v((long double)(d.x) / largest, (long double)(d.y) / largest,
+                 (long double)(d.z) / largest);
     return v * (1 / std::sqrt(dot(v, v)));
   };
   const Long f = unit(input.from), t = unit(input.to), across = cross(f, t);
   const long double cosine = dot(f, t), square = dot(across, across);
   const long double factor = cosine >= 0 ? 1 / (1 + cosine) : (1 - cosine) / square;
   const long double v[3] = {across.x, across.y, across.z};
-  std::vector<double> rotation(9);
+  Onto made;
+  made.rotation.resize(9);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    rotation[3 * i + i] = double(cosine + v[i] * v[i] * factor);
-    rotation[3 * i + j] = double(v[i] * v[j] * factor - v[k]);
-    rotation[3 * j + i] = double(v[i] * v[j] * factor + v[k]);
+    made.rotation[3 * i + i] = double(cosine + v[i] * v[i] * factor);
+    made.rotation[3 * i + j] = double(v[i] * v[j] * factor - v[k]);
+    made.rotation[3 * j + i] = double(v[i] * v[j] * factor + v[k]);
   }
   // The error of the axis is 10 u / sine (u: the unit roundoff). Up to a right angle the axis is
   // multiplied by the sine, so the bound has no 1 / sine.
   const double sine = double(std::sqrt(square));
-  const double bound = cosine >= 0 ? 64 * u : 32 * u * (1 + 1 / sine);
-  const double angle = std::atan2(sine, double(cosine));
+  made.bound = cosine >= 0 ? 64 * u : 32 * u * (1 + 1 / sine);
+  made.radians = std::atan2(sine, double(cosine));
+  made.axis = {double(across.x), double(across.y), double(across.z)};
+  return made;
+}
+
+Case expect_onto(const OntoCase& input) {
+  const auto [rotation, bound, axis, radians] = onto_of(input);
   Case c{input.what,
-         fmt::format("{}, an angle of {:.9g} radians", onto_text(input), angle),
+         fmt::format("{}, an angle of {:.9g} radians", onto_text(input), radians),
          {matrix("rotation", 3, rotation, bound)}};
   // The mistake of half or twice the angle is an entry of this case, because slips.h cannot
   // recognise it in the matrix of a small rotation.
-  const Direction axis(double(across.x), double(across.y), double(across.z));
   for (const double factor : {0.5, 2.0}) {
-    const auto slipped = rotate_degrees<World>(axis, factor * degrees_from_radians(angle));
+    const auto slipped = rotate_degrees<World>(axis, factor * degrees_from_radians(radians));
     if (!slipped) continue;
     // The bound is doubled, because twice the angle has twice the error.
     c.slipped.push_back(
@@ -227,8 +291,12 @@ std::optional<Divergence> judge_half_turn(const OntoCase& input, const Answer& a
     found.explanation = "this is a mirror, not a rotation";
     return found;
   }
-  const glm::dvec3 image = m * (to_glm(input.from) / length(input.from));
-  const glm::dvec3 wanted = to_glm(input.to) / length(input.to);
+  const auto unit = [](const Direction& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    const glm::dvec3 near = to_glm(v) / largest;
+    return near / std::sqrt(glm::dot(near, near));
+  };
+  const glm::dvec3 image = m * unit(input.from), wanted = unit(input.to);
   for (int i = 0; i < 3; ++i) {
     found.element = fmt::format("{} of the image of `from`", "xyz"[i]);
     found.expected = wanted[i];
@@ -245,19 +313,44 @@ Case expect_half_turn(const OntoCase& input) {
           .judge = [input](const Answer& answer) { return judge_half_turn(input, answer); }};
 }
 
+// Whether the directions are opposite, as the contract allows it: their lengths are equal, or both
+// are along x, y or z.
+bool are_opposite(const OntoCase& input) {
+  if (input.to == -input.from) return true;
+  return along_one_axis(input.from, input.to) &&
+         (std::signbit(input.from.x + input.from.y + input.from.z) !=
+          std::signbit(input.to.x + input.to.y + input.to.z));
+}
+
+Case expect_any_onto(const OntoCase& input) {
+  return are_opposite(input) ? expect_half_turn(input) : expect_onto(input);
+}
+
+bool right_onto(const OntoCase& input, const Answer& answer) {
+  if (are_opposite(input)) return !judge_half_turn(input, answer);
+  const Onto onto = onto_of(input);
+  return are_near(answer, "rotation", onto.rotation, onto.bound);
+}
+
 // ---- mirrors and hands ----
+
+// Whether the matrix is neither, a rotation, a mirror: one of the three is 1.
+std::vector<double> kind_numbers(const KindCase& input) {
+  const glm::dmat3 m(input.matrix.columns);
+  if (!(orthogonality_error(m) <= 1e-5)) return {1, 0, 0};
+  if (glm::determinant(m) > 0) return {0, 1, 0};
+  return {0, 0, 1};
+}
+
+bool right_kind(const KindCase& input, const Answer& answer) {
+  return are_near(answer, "neither, rotation, mirror", kind_numbers(input), 0);
+}
 
 Case expect_kind(const KindCase& input) {
   const glm::dmat3 m(input.matrix.columns);
-  Kind kind = Kind::kNeither;
-  if (orthogonality_error(m) <= 1e-5)
-    kind = glm::determinant(m) > 0 ? Kind::kRotation : Kind::kMirror;
   std::string text = "rows";
   for (int i = 0; i < 3; ++i) text += fmt::format(" ({}, {}, {})", m[0][i], m[1][i], m[2][i]);
-  std::vector<double> is;
-  for (const Kind each : {Kind::kNeither, Kind::kRotation, Kind::kMirror})
-    is.push_back(kind == each ? 1 : 0);
-  return {input.what, text, {numbers("neither, rotation, mirror", is)}};
+  return {input.what, text, {numbers("neither, rotation, mirror", kind_numbers(input))}};
 }
 
 Case expect_hand(const HandCase& input) {
@@ -268,6 +361,26 @@ Case expect_hand(const HandCase& input) {
           fmt::format("(0, 0, {}), on the near plane, comes to z = 0, w = {} in clip space",
                       -input.d, input.d),
           {matrix("clip_from_eye", 4, entries(given * other_hand))}};
+}
+
+// S = diag(1, 1, -1, 1) changes the signs of the third column.
+std::vector<double> for_the_other_hand(const ProjectionCase& input) {
+  Transform<Clip, Eye> m = input.matrix;
+  for (int i = 0; i < 4; ++i) m.at(i, 2) = -m.at(i, 2);
+  return entries(m);
+}
+
+Case expect_any_hand(const ProjectionCase& input) {
+  std::string text = "rows";
+  for (int i = 0; i < 4; ++i) {
+    const auto& m = input.matrix;
+    text += fmt::format(" ({}, {}, {}, {})", m.at(i, 0), m.at(i, 1), m.at(i, 2), m.at(i, 3));
+  }
+  return {input.what, text, {matrix("clip_from_eye", 4, for_the_other_hand(input))}};
+}
+
+bool right_hand(const ProjectionCase& input, const Answer& answer) {
+  return are_near(answer, "clip_from_eye", for_the_other_hand(input), 0);
 }
 
 }  // namespace
@@ -284,19 +397,27 @@ Lab lab_03() {
        {"3.5", "A left-handed projection for a right-handed eye", 15}},
       {check("the view from the axes of the eye", "3.1", "eye", cameras, expect_uvn),
        check("cameras without a view are refused", "3.1", "eye", refused_cameras, expect_refused),
+       generated_check("any camera", "3.1", "eye", generated_cameras, expect_any_uvn, right_uvn),
        hidden_check("other cameras", "3.1", "eye", hidden_cameras, expect_uvn),
        hidden_check("other cameras without a view", "3.1", "eye", hidden_refused_cameras,
                     expect_refused),
        check("one direction onto another", "3.2", "eye", directions, expect_onto),
        check("half a turn", "3.2", "eye", opposite_directions, expect_half_turn),
+       generated_check("any two directions", "3.2", "eye", generated_directions, expect_any_onto,
+                       right_onto),
        hidden_check("other directions", "3.2", "eye", hidden_directions, expect_onto),
        hidden_check("other half turns", "3.2", "eye", hidden_opposite_directions, expect_half_turn),
        check("two rotations give the same view", "3.3", "eye", cameras, expect_axis_angle),
+       generated_check("two rotations, any camera", "3.3", "eye", generated_views,
+                       expect_axis_angle, right_axis_angle),
        hidden_check("two rotations, other cameras", "3.3", "eye", hidden_cameras,
                     expect_axis_angle),
        check("rotations, mirrors and neither", "3.4", "eye", kinds, expect_kind),
+       generated_check("any matrix", "3.4", "eye", generated_kinds, expect_kind, right_kind),
        hidden_check("other matrices", "3.4", "eye", hidden_kinds, expect_kind),
        check("a left-handed projection for a right-handed eye", "3.5", "eye", hands, expect_hand),
+       generated_check("any projection", "3.5", "eye", generated_projections, expect_any_hand,
+                       right_hand),
        hidden_check("other projections", "3.5", "eye", hidden_hands, expect_hand)}};
 }
 

@@ -1,6 +1,6 @@
 // Calls your functions with the cases of lab 3.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_03 {
@@ -16,6 +16,13 @@ void emit_view(const Transform<Eye, World>& view, Answer& answer) {
 
 void ask_uvn(const CameraCase& input, Answer& answer) {
   const auto view = uvn_view(input.camera);
+  if (view) emit_view(*view, answer);
+}
+
+// Also says whether there is a view, since there may be none.
+void ask_any_uvn(const CameraCase& input, Answer& answer) {
+  const auto view = uvn_view(input.camera);
+  answer.emit("there is a view", {view ? 1.0 : 0.0});
   if (view) emit_view(*view, answer);
 }
 
@@ -44,6 +51,10 @@ void ask_hand(const HandCase& input, Answer& answer) {
   answer.emit("clip_from_eye", entries(for_right_handed_eye(watt_projection(input))));
 }
 
+void ask_any_hand(const ProjectionCase& input, Answer& answer) {
+  answer.emit("clip_from_eye", entries(for_right_handed_eye(input.matrix)));
+}
+
 }  // namespace
 }  // namespace lab_03
 
@@ -57,6 +68,11 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("two rotations give the same view", cameras(), ask_axis_angle),
       check("rotations, mirrors and neither", kinds(), ask_kind),
       check("a left-handed projection for a right-handed eye", hands(), ask_hand),
+      generated_check("any camera", generated_cameras(), ask_any_uvn),
+      generated_check("any two directions", generated_directions(), ask_onto),
+      generated_check("two rotations, any camera", generated_views(), ask_axis_angle),
+      generated_check("any matrix", generated_kinds(), ask_kind),
+      generated_check("any projection", generated_projections(), ask_any_hand),
       // BEGIN HIDDEN
       check("other cameras", hidden_cameras(), ask_uvn),
       check("other cameras without a view", hidden_refused_cameras(), ask_refused),

@@ -13,6 +13,15 @@ static double length(const Direction& v) {
   return std::sqrt(dot(v, v));
 }
 
+// The vector divided by its length, which may be as small or as large as a double can be: it is
+// divided by its largest component first, so that no square overflows or becomes 0.
+static Direction unit(const Direction& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const Direction near{v.x / largest, v.y / largest, v.z / largest};
+  const double l = length(near);
+  return {near.x / l, near.y / l, near.z / l};
+}
+
 static bool is_finite(double x, double y, double z) {
   return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
 }
@@ -58,7 +67,7 @@ std::optional<Transform<Eye, World>> uvn_view(const Camera& camera) {
 Transform<World, World> rotation_onto(const Vector<World, double>& from,
                                       const Vector<World, double>& to) {
   // BEGIN SOLUTION
-  const Direction f = from * (1 / length(from)), t = to * (1 / length(to));
+  const Direction f = unit(from), t = unit(to);
   Direction axis = cross(f, t);
   const double sine = length(axis), cosine = dot(f, t);
   if (sine > 0) {
