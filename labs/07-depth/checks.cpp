@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include <glassbox/base/rounding.h>
-#include <glassbox/pipeline/projection.h>
 #include <glassbox/raster/depth.h>
 
 #include "exact/number.h"
-#include "labs/07-depth/cases.h"
+#include "labs/07-depth/generators.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -31,49 +31,79 @@ Expected number(const std::string& field, double value, double relative, const s
   return numbers(field, {value}, bound, unit);
 }
 
+bool fits(const Answer& answer, std::vector<Expected> expected) {
+  return !judge_case({.where = "", .restated = "", .expected = std::move(expected)}, answer);
+}
+
 // ---- 7.1 ----
 
+struct ExactRow {
+  double a = 0, b = 0;  // the nearest doubles
+};
+
+ExactRow exact_row(const Planes& input) {
+  const bool reversed = input.range == Range::kReversed;
+  if (std::isinf(input.far)) return reversed ? ExactRow{0, input.near} : ExactRow{-1, -input.near};
+  const Decimal near(input.near), far(input.far), length = far - near;
+  const Decimal b = near * far / length;
+  return reversed ? ExactRow{double(near / length), double(b)}
+                  : ExactRow{double(-far / length), double(-b)};
+}
+
+// The student's entry is within 4 ulps of the exact value, and the expected one within 1/2 ulp.
+std::vector<Expected> row_fields(double a, double b, double ulps = 4.5) {
+  return {numbers("a", {a}, ulps * ulp(a)), numbers("b", {b}, ulps * ulp(b), "world units")};
+}
+
 Case expect_row(const Planes& input) {
-  const DepthRange range =
-      input.range == Range::kReversed ? DepthRange::kReversed : DepthRange::kStandard;
-  const auto clip_from_eye = perspective_degrees(90, 1, {input.near, input.far, range});
-  if (!clip_from_eye) return {};  // every pair of planes is valid
-  const double a = clip_from_eye->at(2, 2), b = clip_from_eye->at(2, 3);
-  const auto expect = [](double a_, double b_, double ulps = 8) {
-    // The student's entries and ours are each within 4 ulps of the exact value, so they differ by
-    // at most 8 ulps.
-    return std::vector<Expected>{numbers("a", {a_}, ulps * ulp(a_)),
-                                 numbers("b", {b_}, ulps * ulp(b_), "world units")};
-  };
+  const auto [a, b] = exact_row(input);
   // The typical mistakes. For an eye that looks along +z, z_clip = -a z + b. OpenGL's z_clip is
   // 2 z - w with w = -z_eye, which gives 2 a + 1 and 2 b; where |a| is near 1, 2 a + 1 is off by up
   // to 16 ulps more.
   return {.where = text_of(input),
           .restated = text_of(input) + "; z_clip = a z_eye + b, w_clip = -z_eye",
-          .expected = expect(a, b),
-          .slipped = {{"z-sign", expect(-a, b)}, {"opengl-depth", expect(2 * a + 1, 2 * b, 24)}}};
+          .expected = row_fields(a, b),
+          .slipped = {{"z-sign", row_fields(-a, b)},
+                      {"opengl-depth", row_fields(2 * a + 1, 2 * b, 24)}}};
+}
+
+bool right_row(const Planes& input, const Answer& answer) {
+  const auto [a, b] = exact_row(input);
+  return fits(answer, row_fields(a, b));
 }
 
 // ---- 7.2 ----
 
+double exact_distance(const Planes& planes, double depth) {
+  const bool reversed = planes.range == Range::kReversed;
+  const Decimal d(depth), from_near = reversed ? Decimal(1) - d : d,
+                          from_far = reversed ? d : Decimal(1) - d;
+  Decimal inverse = from_far / Decimal(planes.near);
+  if (std::isfinite(planes.far)) inverse += from_near / Decimal(planes.far);
+  return inverse.sign() == 0 ? kInfinity : double(Decimal(1) / inverse);
+}
+
+// The student's rounding errors are at most 4 u (u: the unit roundoff), from 1 - depth, a quotient,
+// the sum of two numbers >= 0, and the last quotient. The rounding of the expected number comes on
+// top; student.h allows 16 u.
+std::vector<Expected> distance_fields(const DistanceCase& input) {
+  std::vector<Expected> fields;
+  for (const double depth : input.depths)
+    fields.push_back(number(fmt::format("distance {}", fields.size()),
+                            exact_distance(input.planes, depth), 16 * unit_roundoff<double>,
+                            "world units"));
+  return fields;
+}
+
 Case expect_distance(const DistanceCase& input) {
-  Case c{input.what, text_of(input.planes) + "; depths", {}};
-  for (const double depth : input.depths) {
-    c.restated += fmt::format(" {}", depth);
-    const bool reversed = input.planes.range == Range::kReversed;
-    const Decimal d(depth), from_near = reversed ? Decimal(1) - d : d,
-                            from_far = reversed ? d : Decimal(1) - d;
-    Decimal inverse = from_far / Decimal(input.planes.near);
-    if (std::isfinite(input.planes.far)) inverse += from_near / Decimal(input.planes.far);
-    const double z = inverse.sign() == 0 ? kInfinity : double(Decimal(1) / inverse);
-    // The student's rounding errors are at most 4 u (u: the unit roundoff), from 1 - depth, a
-    // quotient, the sum of two numbers >= 0, and the last quotient. The rounding of the expected
-    // number comes on top; student.h allows 16 u.
-    c.expected.push_back(number(fmt::format("distance {}", c.expected.size()), z,
-                                16 * unit_roundoff<double>, "world units"));
-  }
+  Case c{input.what, text_of(input.planes) + "; depths", distance_fields(input)};
+  for (const double depth : input.depths) c.restated += fmt::format(" {}", depth);
   c.restated += extreme_case_command(input.what);
   return c;
+}
+
+bool right_distance(const DistanceCase& input, const Answer& answer) {
+  return fits(answer, distance_fields(input));
 }
 
 // ---- 7.3 ----
@@ -103,27 +133,43 @@ Case expect_code(const CodeCase& input) {
   return {input.what, text + extreme_case_command(input.what), {numbers("codes", codes)}};
 }
 
+bool right_code(const CodeCase& input, const Answer& answer) {
+  const auto* codes = find_field(answer, "codes");
+  return codes != nullptr && codes->size() == 1 &&
+         (*codes)[0] == glassbox::depth_code(glassbox_format(input.format), input.depths[0]);
+}
+
 // ---- 7.4 ----
 
-// Finds the visible fragment of each pixel by testing all fragments; and the last of several
+// The visible fragment of each pixel, found by testing all fragments; and the last of several
 // equally near ones, for the mistake <= in place of <.
-Case expect_visible(const BufferCase& input) {
-  std::vector<double> seen, seen_last;
+struct Seen {
+  std::vector<double> first, last;
+};
+
+Seen seen_in(const BufferCase& input) {
+  Seen seen;
+  std::vector<std::uint32_t> codes;
+  for (const lab_07::Fragment& each : input.fragments)
+    codes.push_back(glassbox::depth_code(glassbox_format(input.format), each.depth));
   for (int pixel = 0; pixel < input.pixels; ++pixel) {
     double first = -1, last = -1;
     std::uint32_t nearest = kEmptyDepth;
     for (std::size_t i = 0; i < input.fragments.size(); ++i) {
-      const std::uint32_t code =
-          glassbox::depth_code(glassbox_format(input.format), input.fragments[i].depth);
       if (input.fragments[i].pixel != pixel) continue;
-      if (!in_front(nearest, code)) last = double(i);
-      if (!in_front(code, nearest)) continue;
-      nearest = code;
+      if (!in_front(nearest, codes[i])) last = double(i);
+      if (!in_front(codes[i], nearest)) continue;
+      nearest = codes[i];
       first = double(i);
     }
-    seen.push_back(first);
-    seen_last.push_back(last);
+    seen.first.push_back(first);
+    seen.last.push_back(last);
   }
+  return seen;
+}
+
+Case expect_visible(const BufferCase& input) {
+  const auto [seen, seen_last] = seen_in(input);
   std::string text =
       fmt::format("{}, {} pixels; fragments (pixel, depth):", name_of(input.format), input.pixels);
   for (std::size_t i = 0; i < input.fragments.size() && i < 8; ++i)
@@ -133,6 +179,11 @@ Case expect_visible(const BufferCase& input) {
           .restated = text + extreme_case_command(input.what),
           .expected = {numbers("seen", seen)},
           .slipped = {{"depth-or-equal", {numbers("seen", seen_last)}}}};
+}
+
+bool right_visible(const BufferCase& input, const Answer& answer) {
+  const auto* seen = find_field(answer, "seen");
+  return seen != nullptr && *seen == seen_in(input).first;
 }
 
 // ---- 7.5 ----
@@ -176,6 +227,64 @@ Case expect_ladder(const LadderCase& input) {
   return c;
 }
 
+// A rung of a generated input, where rounding may decide.
+struct Rung {
+  double size = 0;        // (d' - d)/d, infinite if d' is beyond the far plane
+  bool near_far = false;  // d' is so near to the far plane that rounding may decide
+};
+
+Rung rung_with_step(const LadderCase& input, const Decimal& step) {
+  const Decimal at_far = inverse_of(input.far), here = inverse_of(input.distances[0]);
+  const Decimal beyond = here - step * (inverse_of(input.near) - at_far);  // 1/d'
+  const Decimal left = beyond - at_far;
+  Rung rung;
+  rung.near_far = abs(left) < here * Decimal(1e-9);
+  const bool infinite = beyond.sign() <= 0 || left.sign() < 0;
+  rung.size = infinite ? kInfinity : double(here / beyond - Decimal(1));
+  return rung;
+}
+
+// Relative error at most 64 u, and 16 u (1 + r) for a result r above 3: q has an error of 7 u (see
+// expect_ladder), which q/(1 - q) magnifies 1/(1 - q) = 1 + r times; two more roundings follow.
+bool is_rung(double given, const Rung& rung) {
+  if (given == rung.size) return true;
+  // On either side of the far plane, d' is at least 10^-9 d too near or too far for anything else.
+  if (rung.near_far && (given == kInfinity || std::isinf(rung.size))) return given > 0;
+  if (!std::isfinite(rung.size)) return false;
+  const double ulps = std::max(64.0, 16 * (1 + rung.size));
+  return std::abs(given - rung.size) <= ulps * unit_roundoff<double> * rung.size;
+}
+
+bool right_rung(const LadderCase& input, const Answer& answer) {
+  const auto* values = find_field(answer, "rung 0");
+  if (values == nullptr || values->size() != 1 || !((*values)[0] > 0)) return false;
+  const double given = (*values)[0];
+  if (input.format == Format::kUnorm16 || input.format == Format::kUnorm24)
+    return is_rung(
+        given,
+        rung_with_step(input,
+                       Decimal(1) / Decimal(input.format == Format::kUnorm16 ? 65535 : 16777215)));
+  const Decimal at_near = inverse_of(input.near), at_far = inverse_of(input.far),
+                here = inverse_of(input.distances[0]);
+  const Decimal from = input.format == Format::kFloat32Reversed ? here - at_far : at_near - here;
+  const double depth = double(from / (at_near - at_far));
+  // A power of two within 10^-9 of the depth may be taken for its other side.
+  for (const double each : {depth * (1 - 1e-9), depth * (1 + 1e-9)}) {
+    const Decimal step(std::ldexp(1.0, std::ilogb(each) - 23));
+    if (is_rung(given, rung_with_step(input, step))) return true;
+  }
+  return false;
+}
+
+Case expect_rung(const LadderCase& input) {
+  Case c = expect_ladder(input);
+  c.judge = [input, plain = c](const Answer& answer) -> std::optional<Divergence> {
+    if (right_rung(input, answer)) return std::nullopt;
+    return judge_case(plain, answer);
+  };
+  return c;
+}
+
 }  // namespace
 
 Lab lab_07() {
@@ -190,15 +299,23 @@ Lab lab_07() {
        {"7.5", "The ladder: how fine a format is", 20}},
       {check("the near and far planes have the ends of the range", "7.1", "clip", planes,
              expect_row),
+       generated_check("any two planes", "7.1", "clip", generated_planes, expect_row, right_row),
        hidden_check("planes very close and very far apart", "7.1", "clip", more_planes, expect_row),
        check("a depth leads back to its distance", "7.2", "NDC", depths, expect_distance),
+       generated_check("any depth", "7.2", "NDC", generated_depths, expect_distance,
+                       right_distance),
        hidden_check("depths next to the far plane's", "7.2", "NDC", more_depths, expect_distance),
        check("depths become codes", "7.3", "depth", codes, expect_code),
+       generated_check("any depth to a code", "7.3", "depth", generated_codes, expect_code,
+                       right_code),
        hidden_check("random depths and halves", "7.3", "depth", more_codes, expect_code),
        check("the nearest fragment is seen, the first of equals", "7.4", "depth", buffers,
              expect_visible),
+       generated_check("any fragments", "7.4", "depth", generated_buffers, expect_visible,
+                       right_visible),
        hidden_check("many fragments", "7.4", "depth", more_buffers, expect_visible),
        check("the ladder of the formats", "7.5", "depth", ladders, expect_ladder),
+       generated_check("any rung", "7.5", "depth", generated_ladders, expect_rung, right_rung),
        hidden_check("ladders of other views", "7.5", "depth", more_ladders, expect_ladder)}};
 }
 

@@ -1,6 +1,6 @@
 // Calls your functions with the cases of lab 7.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_07 {
@@ -50,6 +50,11 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("depths become codes", codes(), ask_code),
       check("the nearest fragment is seen, the first of equals", buffers(), ask_visible),
       check("the ladder of the formats", ladders(), ask_ladder),
+      generated_check("any two planes", generated_planes(), ask_row),
+      generated_check("any depth", generated_depths(), ask_distance),
+      generated_check("any depth to a code", generated_codes(), ask_code),
+      generated_check("any fragments", generated_buffers(), ask_visible),
+      generated_check("any rung", generated_ladders(), ask_ladder),
       // BEGIN HIDDEN
       check("planes very close and very far apart", more_planes(), ask_row),
       check("depths next to the far plane's", more_depths(), ask_distance),

@@ -12,8 +12,9 @@
 
 #include "exact/matrix.h"
 #include "exact/number.h"
-#include "labs/09-stereo/cases.h"
+#include "labs/09-stereo/generators.h"
 #include "labs/09-stereo/pictures.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -21,6 +22,7 @@ namespace glassbox::labs {
 namespace {
 
 using namespace lab_09;
+using exact::Decimal;
 using exact::Matrix4;
 using exact::Rational;
 
@@ -48,6 +50,10 @@ StereoPair pair_of(const Pair& pair) {
   return {pair.half_separation, pair.window};
 }
 
+bool fits(const Answer& answer, std::vector<Expected> expected) {
+  return !judge_case({.where = "", .restated = "", .expected = std::move(expected)}, answer);
+}
+
 // ---- projections ----
 
 std::vector<Expected> projection_fields(lab_09::Side side, const Matrix4<Rational>& m,
@@ -64,13 +70,38 @@ std::vector<Expected> projection_fields(lab_09::Side side, const Matrix4<Rationa
 // quotient, a product and a sum round, so the first has an error of at most 3 u (|m00 s/f| +
 // |m02|), where u = 2^-53 is the unit roundoff, and the second one likewise. That is below 8 u
 // times the largest of these numbers.
+double projection_bound(const ProjectionCase& input) {
+  const auto& [what, given, pair] = input;
+  const double s = pair.half_separation, scale = std::abs(given.at(0, 0));
+  if (s == 0) return 0;
+  return 8 * u *
+         std::max({scale * s / pair.window, std::abs(given.at(0, 2)), scale * s,
+                   std::abs(given.at(0, 3))});
+}
+
+bool right_projection(const ProjectionCase& input, const Answer& answer) {
+  const auto& [what, given, pair] = input;
+  std::vector<Expected> fields;
+  for (const lab_09::Side side : kEyes) {
+    std::vector<double> x, others;
+    for (int j = 0; j < 4; ++j) x.push_back(given.at(0, j));
+    for (int i = 1; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) others.push_back(given.at(i, j));
+    }
+    const double s = side == lab_09::Side::kLeft ? pair.half_separation : -pair.half_separation;
+    const Decimal by_shift = Decimal(x[0]) * Decimal(s);
+    if (std::isfinite(pair.window)) x[2] = double(Decimal(x[2]) + by_shift / Decimal(pair.window));
+    x[3] = double(Decimal(x[3]) + by_shift);
+    fields.push_back(matrix(name_of_eye(side) + ", row of x", 4, x, projection_bound(input)));
+    fields.push_back(matrix(name_of_eye(side) + ", rows of y, z, w", 4, others));
+  }
+  return fits(answer, std::move(fields));
+}
+
 Case expect_projection(const ProjectionCase& input) {
   const auto& [what, given, pair] = input;
   const double s = pair.half_separation, scale = std::abs(given.at(0, 0));
-  const double bound = s == 0 ? 0
-                              : 8 * u *
-                                    std::max({scale * s / pair.window, std::abs(given.at(0, 2)),
-                                              scale * s, std::abs(given.at(0, 3))});
+  const double bound = projection_bound(input);
   Case c{what,
          fmt::format("s = {}, f = {}; the projection's row of x is ({}, {}, {}, {})", s,
                      pair.window, given.at(0, 0), given.at(0, 1), given.at(0, 2), given.at(0, 3)),
@@ -161,6 +192,31 @@ Case expect_parallax(const ParallaxCase& input) {
           {numbers("px and percent", {px, percent}, bound, "px or per cent")}};
 }
 
+// For generated inputs the two numbers are two fields, each with its own bound.
+std::vector<Expected> parallax_fields(const ParallaxCase& input) {
+  const auto& [what, pair, picture, z] = input;
+  const auto inverse_of = [](double x) {
+    return std::isinf(x) ? Decimal(0) : Decimal(1) / Decimal(x);
+  };
+  const Decimal half_widths = Decimal(2) * Decimal(pair.half_separation) * Decimal(picture.scale) *
+                              (inverse_of(pair.window) - inverse_of(z));
+  const double px = double(half_widths * Decimal(picture.width) / Decimal(2));
+  const double percent = double(half_widths * Decimal(50));
+  // Where both distances are equal, the difference of the two equal numbers is exactly 0.
+  return {numbers("px", {px}, 16 * u * std::abs(px), "px"),
+          numbers("percent", {percent}, 16 * u * std::abs(percent), "per cent")};
+}
+
+Case expect_any_parallax(const ParallaxCase& input) {
+  Case made = expect_parallax(input);
+  made.expected = parallax_fields(input);
+  return made;
+}
+
+bool right_parallax(const ParallaxCase& input, const Answer& answer) {
+  return fits(answer, parallax_fields(input));
+}
+
 // ---- culling ----
 
 // Whether no eye sees the triangle, if the near plane is wrongly taken to be z = -w as in OpenGL.
@@ -176,20 +232,30 @@ bool unseen_with_opengl_near(const std::array<StereoPoint, 3>& triangle) {
          (left && right);
 }
 
-Case expect_culled(const CullCase& input) {
+bool is_culled(const std::array<StereoPoint, 3>& triangle) {
   View centre;
   centre.near = 1;
   centre.far = 65;
+  std::array<Outcode, 3> codes{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const StereoPoint& p = triangle[k];
+    codes[k] = stereo_outcode(StereoClipPoint{p.left_x, p.right_x, p.y, p.z, p.w}, centre);
+  }
+  return is_outside_both_views(codes);
+}
+
+bool right_verdict(const CullCase& input, const Answer& answer) {
+  const auto* verdicts = find_field(answer, "verdicts");
+  const Verdict right = is_culled(input.triangles[0]) ? Verdict::kCull : Verdict::kDraw;
+  return verdicts != nullptr && *verdicts == std::vector<double>{double(int(right))};
+}
+
+Case expect_culled(const CullCase& input) {
   std::vector<double> verdicts, opengl;
   std::string text = "1 is drawn, 2 is culled";
   for (std::size_t i = 0; i < input.triangles.size(); ++i) {
-    std::array<Outcode, 3> codes{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const StereoPoint& p = input.triangles[i][k];
-      codes[k] = stereo_outcode(StereoClipPoint{p.left_x, p.right_x, p.y, p.z, p.w}, centre);
-    }
     const auto verdict = [](bool unseen) { return int(unseen ? Verdict::kCull : Verdict::kDraw); };
-    verdicts.push_back(verdict(is_outside_both_views(codes)));
+    verdicts.push_back(verdict(is_culled(input.triangles[i])));
     opengl.push_back(verdict(unseen_with_opengl_near(input.triangles[i])));
     if (input.triangles.size() > 10) continue;
     text += fmt::format("\n{}: {}; left x, right x, y, z, w of its corners", i, input.names[i]);
@@ -232,6 +298,53 @@ Case expect_comfort(const ComfortCase& input) {
   return {input.what, text, {numbers("half separations", separations, bound, "world units")}};
 }
 
+// The separations in decimal numbers: parallax is proportional to the separation.
+std::vector<double> exact_separations(const ComfortCase& input) {
+  const auto inverse_of = [](double x) {
+    return std::isinf(x) ? Decimal(0) : Decimal(1) / Decimal(x);
+  };
+  const Decimal scale(input.picture.scale);
+  const Decimal to_px = scale * Decimal(input.picture.width);
+  std::vector<double> separations;
+  Decimal last;
+  for (const Frame& frame : input.frames) {
+    const Decimal at_window = inverse_of(frame.window);
+    const Decimal in_front = to_px * (inverse_of(frame.nearest) - at_window);
+    const Decimal behind = to_px * (at_window - inverse_of(frame.farthest));
+    bool limited = std::isfinite(frame.window);
+    Decimal limit = limited ? Decimal(frame.window) / scale : Decimal(0);
+    const auto at_most = [&](double budget, const Decimal& parallax) {
+      if (parallax.sign() <= 0) return;
+      const Decimal other = Decimal(budget) / parallax;
+      if (!limited || other < limit) limit = other;
+      limited = true;
+    };
+    at_most(input.budget.in_front_px, in_front);
+    at_most(input.budget.behind_px, behind);
+    const bool at_once = separations.empty() || !(last < limit);
+    last = at_once ? limit : last + (limit - last) / (Decimal(1) + Decimal(input.release_frames));
+    separations.push_back(double(last));
+  }
+  return separations;
+}
+
+std::vector<Expected> comfort_fields(const ComfortCase& input) {
+  const std::vector<double> separations = exact_separations(input);
+  const double bound = 64 * (1 + input.release_frames) * u *
+                       *std::max_element(separations.begin(), separations.end());
+  return {numbers("half separations", separations, bound, "world units")};
+}
+
+Case expect_any_comfort(const ComfortCase& input) {
+  Case made = expect_comfort(input);
+  made.expected = comfort_fields(input);
+  return made;
+}
+
+bool right_comfort(const ComfortCase& input, const Answer& answer) {
+  return fits(answer, comfort_fields(input));
+}
+
 }  // namespace
 
 Lab lab_09() {
@@ -247,18 +360,30 @@ Lab lab_09() {
        {"9.6", "As much depth as the eyes can bear", 15}},
       {check("the projections of both eyes", "9.1", "clip", projections, expect_projection),
        check("align and crop gives the same pictures", "9.1", "screen", crops, expect_crop),
+       generated_check("any projection", "9.1", "clip", generated_projections, expect_projection,
+                       right_projection),
        hidden_check("other projections", "9.1", "clip", hidden_projections, expect_projection),
        hidden_check("align and crop, other pictures", "9.1", "screen", hidden_crops, expect_crop),
        check("the parallax of a distance", "9.2", "screen", distances, expect_parallax),
+       generated_check("any distance", "9.2", "screen", generated_distances, expect_any_parallax,
+                       right_parallax),
        hidden_check("other distances", "9.2", "screen", hidden_distances, expect_parallax),
        check("what neither eye sees is culled", "9.3", "clip", triangles, expect_culled),
+       generated_check("any triangle", "9.3", "clip", generated_triangles, expect_culled,
+                       right_verdict),
        hidden_check("other triangles", "9.3", "clip", hidden_triangles, expect_culled),
        check("two pictures in one buffer", "9.4", "anaglyph", anaglyphs, expect_anaglyph),
+       generated_check("any two pictures", "9.4", "anaglyph", generated_anaglyphs,
+                       expect_any_anaglyph, right_anaglyph),
        hidden_check("other pictures in one buffer", "9.4", "anaglyph", hidden_anaglyphs,
                     expect_anaglyph),
        check("colours for coloured glasses", "9.5", "anaglyph", colours, expect_colour),
+       generated_check("any colours", "9.5", "anaglyph", generated_colours, expect_colour,
+                       right_colour),
        hidden_check("other colours", "9.5", "anaglyph", hidden_colours, expect_colour),
        check("separations within the budget", "9.6", "eye", sequences, expect_comfort),
+       generated_check("any sequence", "9.6", "eye", generated_sequences, expect_any_comfort,
+                       right_comfort),
        hidden_check("other sequences", "9.6", "eye", hidden_sequences, expect_comfort)}};
 }
 

@@ -12,7 +12,7 @@
 namespace glassbox::labs {
 
 using namespace lab_09;
-using exact::Rational;
+using exact::Decimal;
 
 namespace lab_09_pictures {
 
@@ -82,33 +82,75 @@ Case expect_anaglyph(const AnaglyphCase& input) {
                       {"y-direction", expected(Ties::kFirst, true)}}};
 }
 
-// The bound is 32 u (u = 2^-53 is the unit roundoff). Recoloured channels are at most 1 and have
-// errors of 10 u. The absolute values of a row of the matrix add up to less than 1.5, which makes
-// 15 u of these errors. Six products and their sum add rounding errors of 6 u times at most 1.5,
-// which is 9 u. Both together are 24 u.
-Case expect_colour(const ColourCase& input) {
+// Generated inputs have masks of their own, so each channel is taken from its eye's picture.
+std::vector<Expected> anaglyph_fields(const AnaglyphCase& input) {
   using namespace lab_09_pictures;
-  const Rational k(input.recolour.desaturate), b(input.recolour.brighten), one(1);
-  std::vector<Rational> eyes;
+  const Anaglyph& a = input.anaglyph;
+  const Image<Rgba8> left = picture_of(a, a.left, Ties::kFirst);
+  const Image<Rgba8> right = picture_of(a, a.right, Ties::kFirst);
+  std::vector<double> red, green, blue;
+  for (std::size_t i = 0; i < left.pixels.size(); ++i) {
+    red.push_back(a.left_mask.r ? left.pixels[i].r : right.pixels[i].r);
+    green.push_back(a.left_mask.g ? left.pixels[i].g : right.pixels[i].g);
+    blue.push_back(a.left_mask.b ? left.pixels[i].b : right.pixels[i].b);
+  }
+  return {numbers("width, height", {double(a.width), double(a.height)}, 0),
+          matrix("red", a.width, red), matrix("green", a.width, green),
+          matrix("blue", a.width, blue)};
+}
+
+Case expect_any_anaglyph(const AnaglyphCase& input) {
+  Case made = expect_anaglyph(input);
+  made.expected = anaglyph_fields(input);
+  made.slipped.clear();  // they are those of the masks in the usual order
+  return made;
+}
+
+bool right_anaglyph(const AnaglyphCase& input, const Answer& answer) {
+  return !judge_case({.where = "", .restated = "", .expected = anaglyph_fields(input)}, answer);
+}
+
+// The bound is 32 u (u = 2^-53 is the unit roundoff). Y has errors of 4 u: of a constant, a product
+// and two sums. (1 - k) c + k Y has errors of 6 u, and the recoloured channel, which is at most 1,
+// 9 u. With six products and five sums, that is 15 u times the sum of a row's absolute values. They
+// add up to at most 2, which makes 30 u.
+std::vector<double> colour_sums(const ColourCase& input) {
+  const Decimal k(input.recolour.desaturate), b(input.recolour.brighten), one(1);
+  std::vector<Decimal> eyes;
   for (const Colour& c : {input.left, input.right}) {
-    const Rational luma = Rational(0.299) * Rational(c[0]) + Rational(0.587) * Rational(c[1]) +
-                          Rational(0.114) * Rational(c[2]);
+    const Decimal luma = Decimal(0.299) * Decimal(c[0]) + Decimal(0.587) * Decimal(c[1]) +
+                         Decimal(0.114) * Decimal(c[2]);
     for (const double each : c)
-      eyes.push_back(b + (one - b) * ((one - k) * Rational(each) + k * luma));
+      eyes.push_back(b + (one - b) * ((one - k) * Decimal(each) + k * luma));
   }
-  std::vector<double> shown, sums;
+  std::vector<double> sums;
   for (const auto& row : input.matrix) {
-    Rational sum;
-    for (std::size_t j = 0; j < 6; ++j) sum += Rational(row[j]) * eyes[j];
+    Decimal sum;
+    for (std::size_t j = 0; j < 6; ++j) sum += Decimal(row[j]) * eyes[j];
     sums.push_back(double(sum));
-    shown.push_back(std::clamp(double(sum), 0.0, 1.0));
   }
+  return sums;
+}
+
+std::vector<Expected> colour_fields(const std::vector<double>& sums) {
+  std::vector<double> shown;
+  for (const double sum : sums) shown.push_back(std::clamp(sum, 0.0, 1.0));
+  return {numbers("red, green, blue", shown, 32 * unit_roundoff<double>)};
+}
+
+bool right_colour(const ColourCase& input, const Answer& answer) {
+  return !judge_case({.where = "", .restated = "", .expected = colour_fields(colour_sums(input))},
+                     answer);
+}
+
+Case expect_colour(const ColourCase& input) {
+  const std::vector<double> sums = colour_sums(input);
   return {
       input.what,
       fmt::format("k = {}, b = {}; left ({}), right ({}); before clamping ({:.6g})",
                   input.recolour.desaturate, input.recolour.brighten, fmt::join(input.left, ", "),
                   fmt::join(input.right, ", "), fmt::join(sums, ", ")),
-      {numbers("red, green, blue", shown, 32 * unit_roundoff<double>)}};
+      colour_fields(sums)};
 }
 
 }  // namespace glassbox::labs

@@ -1,6 +1,6 @@
 // Calls your functions with the cases of lab 9.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_09 {
@@ -35,6 +35,12 @@ void crop(const CropCase& input, Answer& answer) {
 void parallax(const ParallaxCase& input, Answer& answer) {
   const Parallax found = parallax_at(input.pair, input.picture, input.distance);
   answer.emit("px and percent", {found.px, found.percent});
+}
+
+void parallax_numbers(const ParallaxCase& input, Answer& answer) {
+  const Parallax found = parallax_at(input.pair, input.picture, input.distance);
+  answer.emit("px", {found.px});
+  answer.emit("percent", {found.percent});
 }
 
 // Emits 1 for a triangle that is drawn, 2 for one that is culled.
@@ -81,6 +87,12 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("two pictures in one buffer", anaglyphs(), anaglyph),
       check("colours for coloured glasses", colours(), colour),
       check("separations within the budget", sequences(), comfort),
+      generated_check("any projection", generated_projections(), projection),
+      generated_check("any distance", generated_distances(), parallax_numbers),
+      generated_check("any triangle", generated_triangles(), culled),
+      generated_check("any two pictures", generated_anaglyphs(), anaglyph),
+      generated_check("any colours", generated_colours(), colour),
+      generated_check("any sequence", generated_sequences(), comfort),
       // BEGIN HIDDEN
       check("other projections", hidden_projections(), projection),
       check("align and crop, other pictures", hidden_crops(), crop),

@@ -54,7 +54,8 @@ struct Parallax {
 
 // Task 9.2. The parallax of a point at this distance: its x in the right eye's picture minus its x
 // in the left one's. The centre's projection is a perspective one. 0 < distance, which may be
-// infinite. Error bound: 16 u |parallax|, also for points near the window.
+// infinite. Error bound: 16 u |parallax| in pixels, and likewise in per cent, also for points near
+// the window. Finite lengths are between 10^-100 and 10^100, or all of one size up to 10^201.
 Parallax parallax_at(const Pair& pair, const Picture& picture, double distance);
 
 // A corner in the clip space of both eyes, for which y, z and w are the same. The left eye sees
@@ -111,8 +112,8 @@ struct Recolour {
 using Matrix = std::array<std::array<double, 6>, 3>;
 
 // Task 9.5. The colour shown for the colours of the two eyes: first both are recoloured, then
-// multiplied by the matrix, then each channel is clamped to 0 .. 1. Error bound of each channel:
-// 32 u.
+// multiplied by the matrix, then each channel is clamped to 0 .. 1. The absolute values
+// of each row of the matrix add up to at most 2. Error bound of each channel: 32 u.
 Colour anaglyph_colour(const Matrix& matrix, const Recolour& recolour, const Colour& left,
                        const Colour& right);
 
@@ -133,6 +134,7 @@ struct Budget {
 // the picture shows at the window. The first frame gets its limit. If a limit is not above the last
 // frame's separation, the separation is the limit at once; if it is above, the separation grows by
 // the fraction 1/(1 + release_frames) of the difference.
+// Every frame has a finite limit, and release_frames >= 0 need not be a whole number.
 // Error bound: 64 (1 + release_frames) u times the largest separation of the frames.
 std::vector<double> comfortable_separations(const Picture& picture, const Budget& budget,
                                             const std::vector<Frame>& frames,
