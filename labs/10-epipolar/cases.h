@@ -75,6 +75,28 @@ struct LineCase {
   Pixel pixel;
 };
 
+// The essential matrices of the pairs of cameras above, as numbers, so that a mistake in task 10.1
+// has no effect on the other tasks.
+inline constexpr Matrix kParallelMatrix{{{0, 0, 0}, {0, 0, -0.5}, {0, 0.5, 0}}};
+inline constexpr Matrix kConvergingMatrix{
+    {{0, 0.0088495575221239076, 0}, {0.125, 0, -1}, {0, 1.0077433628318584, 0}}};
+inline constexpr Matrix kArbitraryMatrix{
+    {{-0.19504132231404958, -0.60495867768595046, -0.06363636363636363},
+     {0.32330578512396696, -0.24330578512396694, -0.8290909090909091},
+     {0.32776859504132227, 0.61223140495867778, -0.19636363636363635}}};
+
+inline std::vector<LineCase> lines() {
+  const Camera same{800, 320, 240}, wide{500, 310, 250};
+  return {
+      {"parallel axes, where the line is the pixel's own row",
+       kParallelMatrix,
+       same,
+       same,
+       {100, 77}},
+      {"converging axes", kConvergingMatrix, same, same, {500, 100}},
+      {"two different cameras in general position", kArbitraryMatrix, same, wide, {220.5, 400.5}}};
+}
+// BEGIN HIDDEN
 // Makes R S for the inputs. The student's own function essential() is not used, so that its
 // mistakes have no effect on the other tasks.
 inline Matrix given_essential(const Pose& pose) {
@@ -87,21 +109,6 @@ inline Matrix given_essential(const Pose& pose) {
   return e;
 }
 
-inline std::vector<LineCase> lines() {
-  const Camera same{800, 320, 240}, wide{500, 310, 250};
-  return {{"parallel axes, where the line is the pixel's own row",
-           given_essential(parallel_pose()),
-           same,
-           same,
-           {100, 77}},
-          {"converging axes", given_essential(converging_pose()), same, same, {500, 100}},
-          {"two different cameras in general position",
-           given_essential(arbitrary_pose()),
-           same,
-           wide,
-           {220.5, 400.5}}};
-}
-// BEGIN HIDDEN
 inline std::vector<LineCase> hidden_lines() {
   const Camera same{800, 320, 240}, long_lens{2400, 960, 540};
   return glassbox::labs::with_varied(
@@ -121,12 +128,8 @@ inline std::vector<LineCase> hidden_lines() {
            same,
            same,
            {100, 77}},
-          {"a left camera with a long focal length",
-           given_essential(arbitrary_pose()),
-           long_lens,
-           same,
-           {1700, 12}},
-          {"beside the picture", given_essential(converging_pose()), same, same, {-4000, 2500}}},
+          {"a left camera with a long focal length", kArbitraryMatrix, long_lens, same, {1700, 12}},
+          {"beside the picture", kConvergingMatrix, same, same, {-4000, 2500}}},
       102, 3, [](glassbox::Random& random) {
         const Matrix e = given_essential(random_pose(random));
         const Camera left{random.between(300, 900), random.between(200, 400), 240};
@@ -217,41 +220,49 @@ struct ChoiceCase {
   Matrix essential;
   std::vector<Match> matches;
 };
-inline ChoiceCase choice(const std::string& what, const Pose& pose, double sign, int count,
-                         std::uint64_t seed) {
-  const Matrix e = given_essential(pose);
+inline ChoiceCase choice(const std::string& what, const Pose& pose, const Matrix& e, double sign,
+                         int count, std::uint64_t seed) {
   return {what,
           {times(sign, e[0]), times(sign, e[1]), times(sign, e[2])},
           seen_by(what, pose, count, 0, seed).matches};
 }
 inline std::vector<ChoiceCase> choices() {
-  return {choice("converging cameras", converging_pose(), 1, 10, 11),
-          choice("the same cameras with the opposite sign of E", converging_pose(), -1, 10, 11),
-          choice("any two cameras", arbitrary_pose(), 1, 10, 12),
+  const Matrix to_the_left{{{0.0066298342541436465, -0.019337016574585655, 0.059116022099447531},
+                            {0.10022099447513812, -0.0039779005524861882, 0.60530386740331488},
+                            {-0.099558011049723755, -0.60795580110497238, 0.010607734806629835}}};
+  return {choice("converging cameras", converging_pose(), kConvergingMatrix, 1, 10, 11),
+          choice("the same cameras with the opposite sign of E", converging_pose(),
+                 kConvergingMatrix, -1, 10, 11),
+          choice("any two cameras", arbitrary_pose(), kArbitraryMatrix, 1, 10, 12),
           choice("a right camera that is to the left of the left one",
-                 {turned_by(15, 0, -1, 0.5), {-0.6, 0.1, 0.1}}, -1, 10, 13)};
+                 {turned_by(15, 0, -1, 0.5), {-0.6, 0.1, 0.1}}, to_the_left, -1, 10, 13)};
 }
 // BEGIN HIDDEN
+inline ChoiceCase hidden_choice(const std::string& what, const Pose& pose, double sign, int count,
+                                std::uint64_t seed) {
+  return choice(what, pose, given_essential(pose), sign, count, seed);
+}
 inline std::vector<ChoiceCase> hidden_choices() {
   std::vector<ChoiceCase> all{
-      choice("a quarter turn", {turned_by(1, 0, 0, 1), {0.3, 0.7, -0.2}}, 1, 9, 14),
-      choice("one camera behind the other, and an E of any length",
-             {turned_by(30, 1, 0, 1), {1, 5, -30}}, -1, 9, 15),
-      choice("one match", arbitrary_pose(), 1, 1, 16)};
+      hidden_choice("a quarter turn", {turned_by(1, 0, 0, 1), {0.3, 0.7, -0.2}}, 1, 9, 14),
+      hidden_choice("one camera behind the other, and an E of any length",
+                    {turned_by(30, 1, 0, 1), {1, 5, -30}}, -1, 9, 15),
+      hidden_choice("one match", arbitrary_pose(), 1, 1, 16)};
   // Translations in many directions: depending on the direction, a wrong pose has the points behind
   // the left camera or behind the right one.
   const std::vector<Vector> directions{{0.1, 0.9, 0.1},  {0.1, -0.9, 0.1}, {0.2, 0.1, -1},
                                        {-0.9, 0.3, 0.2}, {0.1, 0.2, 1},    {0.6, 0.6, -0.5}};
   for (std::size_t i = 0; i < directions.size(); ++i)
-    all.push_back(choice("translations in several directions",
-                         {turned_by(10, 1, -0.5, 0.7), directions[i]}, 1, 9, 20 + i));
-  ChoiceCase wrong = choice("nine matches, of which one is wrong", arbitrary_pose(), 1, 9, 17);
+    all.push_back(hidden_choice("translations in several directions",
+                                {turned_by(10, 1, -0.5, 0.7), directions[i]}, 1, 9, 20 + i));
+  ChoiceCase wrong =
+      hidden_choice("nine matches, of which one is wrong", arbitrary_pose(), 1, 9, 17);
   wrong.matches[0].right.x = wrong.matches[0].right.x + 0.9;
   all.push_back(wrong);
   return glassbox::labs::with_varied(all, 105, 3, [](glassbox::Random& random) {
     const Pose pose = random_pose(random);
     const double side = random.unit() < 0.5 ? 1 : -1;
-    return choice("any two cameras", pose, side, 12, random.bits());
+    return hidden_choice("any two cameras", pose, side, 12, random.bits());
   });
 }
 // END HIDDEN

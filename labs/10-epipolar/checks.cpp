@@ -7,8 +7,9 @@
 
 #include <glassbox/base/rounding.h>
 
-#include "labs/10-epipolar/cases.h"
+#include "labs/10-epipolar/generators.h"
 #include "labs/10-epipolar/reference.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 #include "views/two_view/constraint.h"
 #include "views/two_view/pose.h"
@@ -87,25 +88,106 @@ Case expect_centre(const PoseCase& input) {
                       {"row-column-order", expected(-(r * t))}}};
 }
 
+// Whether an answer with these fields is right: no judge of its own is needed where the comparison
+// with the expected fields says the same.
+bool as_expected(const std::vector<Expected>& expected, const Answer& answer) {
+  return std::ranges::all_of(expected, [&](const Expected& e) {
+    const auto* values = find_field(answer, e.field);
+    if (values == nullptr || values->size() != e.values.size()) return false;
+    for (std::size_t i = 0; i < values->size(); ++i) {
+      if (!(distance_between(e.values[i], (*values)[i]) <= e.bound)) return false;
+    }
+    return true;
+  });
+}
+// The judge of a case in which more than one answer is right.
+std::function<std::optional<Divergence>(const Answer&)> judged_by(
+    const std::vector<Expected>& expected, std::function<bool(const Answer&)> is_right) {
+  return [expected, is_right](const Answer& answer) -> std::optional<Divergence> {
+    if (is_right(answer)) return std::nullopt;
+    for (const Expected& e : expected) {
+      if (auto first = compare(e, answer).first) return first;
+    }
+    return Divergence{.field = expected[0].field,
+                      .explanation = "the sign or the length is not as the contract says"};
+  };
+}
+
+// The line in extended precision, and how far the rules for its sign reach.
+struct ExactLine {
+  Line line;
+  double bound = 0;
+  long double across = 0, size = 0;  // |(u_x, u_y)| and |E| |p_l|
+};
+ExactLine exact_line_of(const Matrix& m, const lab_10::Camera& left, const lab_10::Camera& right,
+                        const Pixel& pixel) {
+  const WideVector seen{(static_cast<long double>(pixel.x) - left.x) / left.f,
+                        (static_cast<long double>(pixel.y) - left.y) / left.f, 1};
+  const Wide e = wide(m);
+  const WideVector v = e * seen;
+  ExactLine exact;
+  exact.across = v.head<2>().norm();
+  exact.size = e.norm() * seen.norm();
+  if (exact.across == 0) return exact;
+  const long double factor = (v.y() < 0 || (v.y() == 0 && v.x() < 0) ? -1 : 1) / exact.across;
+  exact.line = {double(factor * v.x()), double(factor * v.y()),
+                double(factor * (right.f * v.z() - right.x * v.x() - right.y * v.y()))};
+  const double largest = std::max({right.f, std::abs(right.x), std::abs(right.y)});
+  exact.bound = double(64 * u * (1 + std::abs(exact.line.c) + largest) * exact.size / exact.across);
+  return exact;
+}
+
+// Which answers are right where rounding decides about the sign of the line, or whether there is
+// one.
+bool has_right_sign(double a, double b) {
+  return b > 0 || (b == 0 && a > 0);
+}
+bool right_line(const LineCase& input, const Answer& answer) {
+  const auto& [what, e, left, right, pixel] = input;
+  const ExactLine exact = exact_line_of(e, left, right, pixel);
+  const auto *ab = find_field(answer, "a, b"), *only_c = find_field(answer, "c");
+  if (ab == nullptr || ab->size() != 2 || only_c == nullptr || only_c->size() != 1) return false;
+  const double a = (*ab)[0], b = (*ab)[1], c = (*only_c)[0];
+  const bool none = a == 0 && b == 0 && c == 0;
+  if (exact.across == 0) return none;
+  if (exact.across <= 8 * u * exact.size)
+    return none ||
+           (has_right_sign(a, b) && std::abs(a * a + b * b - 1) <= 16 * u && std::isfinite(c));
+  if (!has_right_sign(a, b)) return false;
+  const auto near = [&](double sign) {
+    const Line& l = exact.line;
+    return std::abs(a - sign * l.a) <= exact.bound && std::abs(b - sign * l.b) <= exact.bound &&
+           std::abs(c - sign * l.c) <= exact.bound;
+  };
+  // Where b is 0 except for its error, its sign is that of the error.
+  return near(1) || (std::abs(exact.line.b) <= exact.bound && near(-1));
+}
+
 Case expect_line(const LineCase& input) {
   const auto& [what, e, left, right, pixel] = input;
   const auto expected = [&left = left, &right = right, &pixel = pixel](const Matrix& m) {
-    const Line l = epipolar::line_of(m, left, right, pixel);
-    const double bound = epipolar::bound_of_line(m, left, right, pixel);
-    return std::vector{numbers("a, b", {l.a, l.b}, bound), numbers("c", {l.c}, bound, "px")};
+    const ExactLine exact = exact_line_of(m, left, right, pixel);
+    const Line& l = exact.line;
+    return std::vector{numbers("a, b", {l.a, l.b}, exact.bound),
+                       numbers("c", {l.c}, exact.bound, "px")};
   };
-  return {.where = what,
-          .restated = fmt::format(
-              "E has the rows {}\nleft camera: f {}, principal point ({}, {}); right one: f {}, "
-              "({}, {}); left pixel ({}, {})",
-              text_of(e), left.f, left.x, left.y, right.f, right.x, right.y, pixel.x, pixel.y),
-          .expected = expected(e),
-          .slipped = {{"row-column-order", expected(transposed(e))}}};
+  const ExactLine exact = exact_line_of(e, left, right, pixel);
+  Case made{.where = what,
+            .restated = fmt::format(
+                "E has the rows {}\nleft camera: f {}, principal point ({}, {}); right one: f {}, "
+                "({}, {}); left pixel ({}, {})",
+                text_of(e), left.f, left.x, left.y, right.f, right.x, right.y, pixel.x, pixel.y),
+            .expected = expected(e),
+            .slipped = {{"row-column-order", expected(transposed(e))}}};
+  if (exact.across > 0 && std::abs(exact.line.b) <= exact.bound)
+    made.judge = judged_by(made.expected,
+                           [input](const Answer& answer) { return right_line(input, answer); });
+  return made;
 }
 
 // The bounds: the sum of n numbers rounds n - 1 times, each time by u of the sum so far. The scale
 // is computed from the distances to the centre, and so it also has the error of the centre.
-Case expect_normaliser(const PointsCase& input) {
+std::vector<Expected> expected_normaliser(const PointsCase& input) {
   const auto count = double(input.points.size());
   long double x = 0, y = 0, sum = 0;
   double largest = 0;
@@ -118,11 +200,23 @@ Case expect_normaliser(const PointsCase& input) {
   y /= count;
   for (const Pixel& p : input.points) sum += std::hypot(p.x - x, p.y - y);
   const double scale = double(std::sqrt(2.0L) * count / sum);
+  return {numbers("centre", {double(x), double(y)}, 8 * count * u * largest),
+          numbers("scale", {scale}, 16 * count * u * scale * (1 + scale * largest))};
+}
+Case expect_normaliser(const PointsCase& input) {
   return {input.what,
           fmt::format("{} points, the first ({}, {})", input.points.size(), input.points[0].x,
                       input.points[0].y),
-          {numbers("centre", {double(x), double(y)}, 8 * count * u * largest),
-           numbers("scale", {scale}, 16 * count * u * scale * (1 + scale * largest))}};
+          expected_normaliser(input)};
+}
+bool right_normaliser(const PointsCase& input, const Answer& answer) {
+  return as_expected(expected_normaliser(input), answer);
+}
+
+// Whether two entries of different signs are the largest ones to within the bound, so that rounding
+// decides which of them is made positive.
+bool has_two_largest(const views::Matrix3d& m, double bound) {
+  return -m.minCoeff() >= m.maxCoeff() - 2 * bound;
 }
 
 Case expect_matrix_of_matches(const MatchesCase& input) {
@@ -140,11 +234,18 @@ Case expect_matrix_of_matches(const MatchesCase& input) {
     text += fmt::format("\nmatch {}: left ({:.9g}, {:.9g}), right ({:.9g}, {:.9g})", i, m.left.x,
                         m.left.y, m.right.x, m.right.y);
   }
-  return {.where = input.what,
-          .restated = text,
-          .expected = expected(solution.essential),
-          .slipped = {{"not-denormalised", expected(solution.not_carried_back)},
-                      {"rank-first", expected(solution.made_rank_two_first)}}};
+  Case made{.where = input.what,
+            .restated = text,
+            .expected = expected(solution.essential),
+            .slipped = {{"not-denormalised", expected(solution.not_carried_back)},
+                        {"rank-first", expected(solution.made_rank_two_first)}}};
+  if (has_two_largest(solution.essential, solution.bound)) {
+    made.judge = judged_by(
+        made.expected, [made, negated = expected(-solution.essential)](const Answer& answer) {
+          return as_expected(made.expected, answer) || as_expected(negated, answer);
+        });
+  }
+  return made;
 }
 
 // The bound: the given E is R S except for rounding, and so its singular vectors U and V have
@@ -163,49 +264,120 @@ Case expect_pose(const ChoiceCase& input) {
                  epipolar::kPoseBound)}};
 }
 
+// The point in extended precision. Which answers are right depends on |d x e| / (|d| |e|): up to
+// 2 u the lines are parallel, from 32 u on they are not. e = R^T p has an error of at most 5.2 u
+// |e|, as each of its coordinates rounds by at most 3 u |e|; d x e rounds by at most 2.9 u |d| |e|,
+// and the lengths by less than 1 u of the product. So an angle above 8 u + 9.1 u is seen to be
+// above 8 u; 32 u leaves room for other orders of the factors.
+struct ExactPoint {
+  std::vector<double> values{};
+  double bound = 0;
+  long double sine = 0;
+};
+ExactPoint exact_point_of(const RaysCase& input) {
+  const WideVector d{input.left.x, input.left.y, 1}, t = wide(input.pose.translation);
+  const WideVector e =
+      wide(input.pose.rotation).transpose() * WideVector{input.right.x, input.right.y, 1};
+  const WideVector across = d.cross(e);
+  ExactPoint exact;
+  exact.sine = across.norm() / (d.norm() * e.norm());
+  if (exact.sine <= 8 * u) {
+    exact.values = {input.left.x, input.left.y, 1, 0};
+    return exact;
+  }
+  const long double squared = across.squaredNorm();
+  const WideVector p =
+      (t.cross(e).dot(across) / squared * d + t + t.cross(d).dot(across) / squared * e) / 2;
+  exact.values = {double(p[0]), double(p[1]), double(p[2]), 1};
+  exact.bound = double(64 * u * (p.norm() + t.norm()) / (exact.sine * exact.sine));
+  return exact;
+}
+bool right_point(const RaysCase& input, const Answer& answer) {
+  const ExactPoint exact = exact_point_of(input);
+  const auto* p = find_field(answer, "point");
+  if (p == nullptr || p->size() != 4) return false;
+  const bool at_infinity =
+      (*p)[0] == input.left.x && (*p)[1] == input.left.y && (*p)[2] == 1 && (*p)[3] == 0;
+  if (at_infinity) return exact.sine <= 32 * u;
+  if (exact.sine <= 2 * u || (*p)[3] != 1) return false;
+  // Between 2 u and 8 u the bound is larger than any distance that is meant.
+  if (exact.sine <= 8 * u) return std::isfinite((*p)[0] + (*p)[1] + (*p)[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(std::abs((*p)[i] - exact.values[i]) <= exact.bound)) return false;
+  }
+  return true;
+}
+
 Case expect_point(const RaysCase& input) {
-  const views::Rays rays{{input.left.x, input.left.y, 1}, {input.right.x, input.right.y, 1}};
-  const views::RelativePose pose = pose_of(input.pose);
-  const views::Triangulated found = epipolar::point_of(rays, pose);
-  const double bound = epipolar::bound_of_point(rays, pose, found);
-  const auto& p = found.point;
-  return {input.what,
-          fmt::format("left ({}, {}), right ({}, {}), R has the rows {}, T = {}; the lines pass "
-                      "each other at {:.3g}",
-                      input.left.x, input.left.y, input.right.x, input.right.y,
-                      text_of(input.pose.rotation), text_of(input.pose.translation), found.gap) +
-              extreme_case_command(input.what),
-          {point("point", {p[0], p[1], p[2], p[3]}, bound, "world units")}};
+  const ExactPoint exact = exact_point_of(input);
+  const views::Triangulated found = epipolar::point_of(
+      {{input.left.x, input.left.y, 1}, {input.right.x, input.right.y, 1}}, pose_of(input.pose));
+  Case made{input.what,
+            fmt::format("left ({}, {}), right ({}, {}), R has the rows {}, T = {}; the sine of the "
+                        "angle between the lines is {:.3g}, and they pass each other at {:.3g}",
+                        input.left.x, input.left.y, input.right.x, input.right.y,
+                        text_of(input.pose.rotation), text_of(input.pose.translation),
+                        double(exact.sine), found.gap) +
+                extreme_case_command(input.what),
+            {point("point", exact.values, exact.bound, "world units")}};
+  // The bound is that of the first three numbers; w is 1 or 0 exactly.
+  if (exact.bound >= 0.5 || (exact.sine > 2 * u && exact.sine < 32 * u))
+    made.judge = judged_by(made.expected,
+                           [input](const Answer& answer) { return right_point(input, answer); });
+  return made;
+}
+
+bool right_matrix(const PoseCase& input, const Answer& answer) {
+  const Wide e =
+      views::essential<long double>(wide(input.pose.rotation), wide(input.pose.translation));
+  const double bound = 4 * u * vector_of(input.pose.translation).norm();
+  return as_expected({matrix("E", 3, rounded(e), bound)}, answer);
+}
+bool right_centre(const PoseCase& input, const Answer& answer) {
+  const WideVector t = -(wide(input.pose.rotation).transpose() * wide(input.pose.translation));
+  const double bound = 8 * u * vector_of(input.pose.translation).norm();
+  return as_expected({point("T", rounded(t), bound, "world units")}, answer);
 }
 
 }  // namespace
 
 Lab lab_10() {
-  return {10,
-          "10-epipolar",
-          "Two pictures: epipolar geometry and triangulation",
-          {{"10.1", "The matrix of two cameras", 20},
-           {"10.2", "The line on which the other point lies", 15},
-           {"10.3", "Points of the size that suits", 10},
-           {"10.4", "The matrix of eight matches and more", 25},
-           {"10.5", "One pose of four", 15},
-           {"10.6", "Where lines of sight meet", 15}},
-          {check("the matrix of two cameras", "10.1", "eye", poses, expect_matrix),
-           check("the centre of a camera from its shift", "10.1", "eye", poses, expect_centre),
-           hidden_check("other cameras", "10.1", "eye", hidden_poses, expect_matrix),
-           hidden_check("other shifts", "10.1", "eye", hidden_poses, expect_centre),
-           check("the line on which the other point lies", "10.2", "screen", lines, expect_line),
-           hidden_check("other lines", "10.2", "screen", hidden_lines, expect_line),
-           check("points of the size that suits", "10.3", "eye", points, expect_normaliser),
-           hidden_check("other points of the size that suits", "10.3", "eye", hidden_points,
-                        expect_normaliser),
-           check("the matrix of eight matches and more", "10.4", "eye", matches,
-                 expect_matrix_of_matches),
-           hidden_check("other matches", "10.4", "eye", hidden_matches, expect_matrix_of_matches),
-           check("one pose of four", "10.5", "eye", choices, expect_pose),
-           hidden_check("other poses", "10.5", "eye", hidden_choices, expect_pose),
-           check("where lines of sight meet", "10.6", "eye", rays, expect_point),
-           hidden_check("other lines of sight", "10.6", "eye", hidden_rays, expect_point)}};
+  return {
+      10,
+      "10-epipolar",
+      "Two pictures: epipolar geometry and triangulation",
+      {{"10.1", "The matrix of two cameras", 20},
+       {"10.2", "The line on which the other point lies", 15},
+       {"10.3", "Points of the size that suits", 10},
+       {"10.4", "The matrix of eight matches and more", 25},
+       {"10.5", "One pose of four", 15},
+       {"10.6", "Where lines of sight meet", 15}},
+      {check("the matrix of two cameras", "10.1", "eye", poses, expect_matrix),
+       generated_check("the matrix of any two cameras", "10.1", "eye", generated_poses,
+                       expect_matrix, right_matrix),
+       check("the centre of a camera from its shift", "10.1", "eye", poses, expect_centre),
+       generated_check("any shift", "10.1", "eye", generated_poses, expect_centre, right_centre),
+       hidden_check("other cameras", "10.1", "eye", hidden_poses, expect_matrix),
+       hidden_check("other shifts", "10.1", "eye", hidden_poses, expect_centre),
+       check("the line on which the other point lies", "10.2", "screen", lines, expect_line),
+       generated_check("any line", "10.2", "screen", generated_lines, expect_line, right_line),
+       hidden_check("other lines", "10.2", "screen", hidden_lines, expect_line),
+       check("points of the size that suits", "10.3", "eye", points, expect_normaliser),
+       generated_check("any points", "10.3", "eye", generated_points, expect_normaliser,
+                       right_normaliser),
+       hidden_check("other points of the size that suits", "10.3", "eye", hidden_points,
+                    expect_normaliser),
+       check("the matrix of eight matches and more", "10.4", "eye", matches,
+             expect_matrix_of_matches),
+       generated_check("any matches", "10.4", "eye", generated_matches, expect_matrix_of_matches),
+       hidden_check("other matches", "10.4", "eye", hidden_matches, expect_matrix_of_matches),
+       check("one pose of four", "10.5", "eye", choices, expect_pose),
+       generated_check("any pose of four", "10.5", "eye", generated_choices, expect_pose),
+       hidden_check("other poses", "10.5", "eye", hidden_choices, expect_pose),
+       check("where lines of sight meet", "10.6", "eye", rays, expect_point),
+       generated_check("any lines of sight", "10.6", "eye", generated_rays, expect_point,
+                       right_point),
+       hidden_check("other lines of sight", "10.6", "eye", hidden_rays, expect_point)}};
 }
 
 }  // namespace glassbox::labs

@@ -97,15 +97,17 @@ LinearSolution solve(const views::Matches& calibrated) {
 
 // The bound of a line (a, b, c). The vector v = E p has a rounding error of 5 u |E| |p|, where u is
 // the unit roundoff and p the calibrated point. c is a sum of three products of v with f, x and y
-// of the right camera, which multiply that error. Then everything is divided by |(v_x, v_y)|.
+// of the right camera, which multiply that error. Then everything is divided by |(v_x, v_y)|, whose
+// own relative error is multiplied by |c|: beside the epipole |c| is large.
 double bound_of_line(const lab_10::Matrix& essential, const lab_10::Camera& left,
                      const lab_10::Camera& right, const lab_10::Pixel& pixel) {
   const Matrix3d e = matrix_of(essential);
   const Vector3d seen = ray_direction(left, pixel), line = e * seen;
   const double size = line.head<2>().norm();
   if (size == 0) return 0;
+  const double c = std::abs(line_of(essential, left, right, pixel).c);
   const double largest = std::max({right.f, std::abs(right.x), std::abs(right.y)});
-  return 64 * u * (1 + largest) * e.norm() * seen.norm() / size;
+  return 64 * u * (1 + c + largest) * e.norm() * seen.norm() / size;
 }
 
 lab_10::Line line_of(const lab_10::Matrix& essential, const lab_10::Camera& left,

@@ -1,6 +1,6 @@
 // Calls your functions with the inputs of lab 10.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_10 {
@@ -65,6 +65,13 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("points of the size that suits", points(), normaliser),
       check("the matrix of eight matches and more", matches(), matrix_of_matches),
       check("one pose of four", choices(), pose), check("where lines of sight meet", rays(), point),
+      generated_check("the matrix of any two cameras", generated_poses(), matrix_of_pose),
+      generated_check("any shift", generated_poses(), centre),
+      generated_check("any line", generated_lines(), line),
+      generated_check("any points", generated_points(), normaliser),
+      generated_check("any matches", generated_matches(), matrix_of_matches),
+      generated_check("any pose of four", generated_choices(), pose),
+      generated_check("any lines of sight", generated_rays(), point),
       // BEGIN HIDDEN
       check("other cameras", hidden_poses(), matrix_of_pose),
       check("other shifts", hidden_poses(), centre), check("other lines", hidden_lines(), line),

@@ -28,6 +28,8 @@ struct Match {
   Pixel left, right;
 };
 
+// R is a rotation, whose entries are rounded to double. A length |T| that is given is 0 or between
+// 2^-100 and 2^100, and so is the length of any other vector or matrix that is given.
 struct Pose {
   Matrix rotation{};     // R
   Vector translation{};  // T
@@ -59,9 +61,13 @@ Vector centre_from_shift(const Matrix& rotation, const Vector& shift);
 
 // Task 10.2. The epipolar line of a pixel of the left picture: the point that the left picture
 // shows there is on this line of the right picture. a^2 + b^2 = 1, and b > 0, or b = 0 and a > 0.
-// Let p_l be the calibrated pixel as (x, y, 1). If E p_l is 0 there is no line: a = b = c = 0.
-// Error bound: 64 u (1 + the largest of the right camera's numbers) |E| |p_l| / |(u_x, u_y)|, where
-// the vector u_x, u_y, u_z is E p_l.
+// Let p_l be the calibrated pixel as (x, y, 1), and (u_x, u_y, u_z) = E p_l. If u_x = u_y = 0 there
+// is no line in the picture: a = b = c = 0; this is so where E p_l = 0, and where the line is at
+// infinity. Error bound: 64 u (1 + |c| + the largest of the right camera's numbers) |E| |p_l| /
+// |(u_x, u_y)|. Where |(u_x, u_y)| is not 0, but at most 8 u |E| |p_l|, this bound says nothing: rounding
+// decides, so no line is right, and so is any line whose a^2 + b^2 is 1 to within 16 u and whose
+// sign is as above. Focal lengths are between 2^-10 and 2^20 and the other numbers of cameras and
+// pixels at most 2^30.
 Line epipolar_line(const Matrix& essential, const Camera& left, const Camera& right,
                    const Pixel& left_pixel);
 
@@ -70,10 +76,11 @@ struct Normaliser {
   double x = 0, y = 0, scale = 1;
 };
 
-// Task 10.3. The normalisation of the given points, not all of which are the same: (x, y) is their
-// mean, and the vectors scale (p - (x, y)) of all points p have the mean length sqrt 2.
-// Error bound of x and y: 8 n u times the largest coordinate, where n is the number of points; of
-// the scale: 16 n u scale (1 + scale times that coordinate).
+// Task 10.3. The normalisation of n >= 2 given points: (x, y) is their mean, and the vectors
+// scale (p - (x, y)) of all points p have the mean length sqrt 2. Not all points are the same:
+// their mean distance to (x, y) is at least 64 n u times the largest coordinate.
+// Error bound of x and y: 8 n u times the largest coordinate; of the scale: 16 n u scale (1 + scale
+// times that coordinate).
 Normaliser normalising(const std::vector<Pixel>& points);
 
 // Task 10.4. E of at least 8 matches, of any sign and scale:
@@ -96,7 +103,8 @@ Pose relative_pose(const Matrix& essential, const std::vector<Match>& matches);
 // other. The left line is t_l d with d = (x, y, 1) of the left calibrated point. The right line is
 // T + t_r e with e = R^T (x, y, 1) of the right calibrated point. The answer is in the left
 // camera's space, with w = 1. Lines that are parallel, |d x e| <= 8 u |d| |e|, meet at infinity:
-// then the answer is d with w = 0.
+// then the answer is d with w = 0. For |d x e| between 2 u and 32 u times |d| |e| rounding may
+// decide: there both answers are right.
 // Error bound: 64 u (|P| + |T|) / sin^2 of the angle between the lines, where P is the answer.
 Point triangulate(const Pixel& left, const Pixel& right, const Pose& pose);
 

@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "labs/11-matching/cases.h"
+#include "labs/11-matching/generators.h"
 #include "labs/11-matching/reference.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -117,7 +118,8 @@ Case expect_confirmed(const CheckCase& input) {
 }
 
 // The bound: in f B / (d + offset) a sum, a product and a quotient round, 3 u of Z (u = 2^-53 is
-// the unit roundoff), below the allowed 4 u.
+// the unit roundoff), below the allowed 4 u. The expected depth is computed in long double and
+// rounded once, by another u.
 Case expect_depth(const DepthCase& input) {
   const double z = matching::depth(input.disparity, input.calibration);
   return {input.what,
@@ -125,6 +127,61 @@ Case expect_depth(const DepthCase& input) {
                       input.calibration.baseline, input.calibration.offset) +
               extreme_case_command(input.what),
           {numbers("depth", {z}, std::isinf(z) ? 0 : matching::kDepthBound * z, "world units")}};
+}
+
+// ---- generated inputs ----
+
+bool are_numbers(const Answer& answer, const char* field, const std::vector<double>& right) {
+  const auto* values = find_field(answer, field);
+  return values != nullptr && *values == right;
+}
+
+// Within the bound of the one number of the field; an infinite number must be infinite.
+bool is_near(const Answer& answer, const char* field, double right, double bound) {
+  const auto* values = find_field(answer, field);
+  if (values == nullptr || values->size() != 1) return false;
+  return (*values)[0] == right || std::abs((*values)[0] - right) <= bound;
+}
+
+bool right_square(const SadCase& input, const Answer& answer) {
+  const Place& p = input.places[0];
+  const double sum = matching::sad({&input.left, &input.right, -1}, p.x, p.y, p.d, input.radius);
+  return are_numbers(answer, "sums", {sum});
+}
+
+bool right_word(const CensusCase& input, const Answer& answer) {
+  const Place& p = input.places[0];
+  return are_numbers(answer, "words", {double(matching::census(input.picture, p.x, p.y))});
+}
+
+bool right_bits(const HammingCase& input, const Answer& answer) {
+  return are_numbers(answer, "bits", {double(matching::hamming(input.a, input.b))});
+}
+
+bool right_path(const PathCase& input, const Answer& answer) {
+  return are_numbers(
+      answer, "sums",
+      doubles(matching::along_path(input.costs, input.disparities, input.p1, input.p2)));
+}
+
+bool right_best(const WinnerCase& input, const Answer& answer) {
+  const double d = matching::winner(input.costs);
+  return is_near(answer, "disparity", d, std::isinf(d) ? 0 : matching::kWinnerBound * (1 + d));
+}
+
+bool right_row(const RowCase& input, const Answer& answer) {
+  return are_numbers(answer, "disparities",
+                     matching::right_winners(input.costs, input.width, input.disparities));
+}
+
+bool right_confirmed(const CheckCase& input, const Answer& answer) {
+  return are_numbers(answer, "disparities",
+                     matching::left_right_check(input.left, input.right, input.tolerance));
+}
+
+bool right_depth(const DepthCase& input, const Answer& answer) {
+  const double z = matching::depth(input.disparity, input.calibration);
+  return is_near(answer, "depth", z, std::isinf(z) ? 0 : matching::kDepthBound * z);
 }
 
 }  // namespace
@@ -141,21 +198,32 @@ Lab lab_11() {
        {"11.5", "What both pictures agree on", 15},
        {"11.6", "How far away it is", 15}},
       {check("how unlike two squares are", "11.1", "screen", squares, expect_square),
+       generated_check("any square", "11.1", "screen", generated_squares, expect_square,
+                       right_square),
        hidden_check("other squares", "11.1", "screen", hidden_squares, expect_square),
        check("census words", "11.2", "screen", words, expect_word),
+       generated_check("any pixel", "11.2", "screen", generated_words, expect_word, right_word),
        check("bits that differ", "11.2", "screen", pairs_of_words, expect_bits),
+       generated_check("any two words", "11.2", "screen", generated_pairs_of_words, expect_bits,
+                       right_bits),
        hidden_check("other census words", "11.2", "screen", hidden_words, expect_word),
        hidden_check("bits of other words", "11.2", "screen", hidden_pairs_of_words, expect_bits),
        check("costs along a path", "11.3", "screen", paths, expect_path),
+       generated_check("any path", "11.3", "screen", generated_paths, expect_path, right_path),
        hidden_check("other paths", "11.3", "screen", hidden_paths, expect_path),
        check("the disparity that costs least", "11.4", "screen", winners, expect_best),
+       generated_check("any costs", "11.4", "screen", generated_winners, expect_best, right_best),
        hidden_check("other costs", "11.4", "screen", hidden_winners, expect_best),
        check("what the right pixels win", "11.5", "screen", rows, expect_row),
+       generated_check("any row", "11.5", "screen", generated_rows, expect_row, right_row),
        check("what both pictures agree on", "11.5", "screen", pairs_of_rows, expect_confirmed),
+       generated_check("any two rows", "11.5", "screen", generated_pairs_of_rows, expect_confirmed,
+                       right_confirmed),
        hidden_check("other right pixels", "11.5", "screen", hidden_rows, expect_row),
        hidden_check("rows of another pair", "11.5", "screen", hidden_pairs_of_rows,
                     expect_confirmed),
        check("how far away it is", "11.6", "eye", depths, expect_depth),
+       generated_check("any depth", "11.6", "eye", generated_depths, expect_depth, right_depth),
        hidden_check("other disparities", "11.6", "eye", hidden_depths, expect_depth)}};
 }
 

@@ -93,7 +93,12 @@ std::vector<double> left_right_check(const std::vector<double>& left,
                                      const std::vector<double>& right, double tolerance, int step) {
   std::vector<double> checked;
   for (std::size_t x = 0; x < left.size(); ++x) {
-    const double column = std::floor(double(x) + step * left[x] + 0.5);
+    // The column to which x - d is nearest, halves to the right: x minus the column to which d is
+    // nearest, halves down. fmod() is exact, so the fraction of d is, too.
+    const double fraction = std::isfinite(left[x]) ? std::fmod(left[x], 1.0) : 0;
+    const double whole = left[x] - fraction;  // exact
+    const bool next = step < 0 ? fraction > 0.5 : fraction >= 0.5;
+    const double column = double(x) + step * (whole + (next ? 1 : 0));
     const bool inside = column >= 0 && column < double(right.size());
     const double found = inside ? right[std::size_t(column)] : kNone;
     const bool confirmed = std::isfinite(found) && std::abs(found - left[x]) <= tolerance;
@@ -103,9 +108,10 @@ std::vector<double> left_right_check(const std::vector<double>& left,
 }
 
 double depth(double disparity, const lab_11::Calibration& calibration) {
-  const double shift = disparity + calibration.offset;
+  // In extended precision: its exponents and 64 binary digits leave one rounding, the last one.
+  const long double shift = static_cast<long double>(disparity) + calibration.offset;
   if (!(shift > 0) || std::isinf(shift)) return kNone;
-  return calibration.focal * calibration.baseline / shift;
+  return double(static_cast<long double>(calibration.focal) * calibration.baseline / shift);
 }
 
 }  // namespace glassbox::labs::matching

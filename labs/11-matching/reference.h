@@ -37,6 +37,8 @@ std::vector<double> left_right_check(const std::vector<double>& left,
                                      int step = -1);
 
 double depth(double disparity, const lab_11::Calibration& calibration);
-inline constexpr double kDepthBound = 4 * 0x1p-53;  // multiplied by the depth Z
+// Multiplied by the depth Z: 4 u as the contract says, and u (2^-53, the unit roundoff) because the
+// expected depth is itself rounded to double.
+inline constexpr double kDepthBound = 5 * 0x1p-53;
 
 }  // namespace glassbox::labs::matching

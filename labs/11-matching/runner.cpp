@@ -1,6 +1,6 @@
 // Calls your functions with the inputs of lab 11.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_11 {
@@ -61,6 +61,14 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("what the right pixels win", rows(), row),
       check("what both pictures agree on", pairs_of_rows(), confirmed),
       check("how far away it is", depths(), distance),
+      generated_check("any square", generated_squares(), square),
+      generated_check("any pixel", generated_words(), word),
+      generated_check("any two words", generated_pairs_of_words(), bits),
+      generated_check("any path", generated_paths(), path),
+      generated_check("any costs", generated_winners(), best),
+      generated_check("any row", generated_rows(), row),
+      generated_check("any two rows", generated_pairs_of_rows(), confirmed),
+      generated_check("any depth", generated_depths(), distance),
       // BEGIN HIDDEN
       check("other squares", hidden_squares(), square),
       check("other census words", hidden_words(), word),

@@ -107,7 +107,9 @@ std::vector<double> left_right_check(const std::vector<double>& left,
   // BEGIN SOLUTION
   std::vector<double> checked = left;
   for (std::size_t x = 0; x < left.size(); ++x) {
-    const double column = std::floor(double(x) - left[x] + 0.5);
+    // floor(x - d + 1/2) is x - ceil(d - 1/2), in which nothing is rounded: x - d may round up to
+    // a half, as it does for x = 2 and the double above d = 1/2, and d - 1/2 does not.
+    const double column = double(x) - std::ceil(left[x] - 0.5);
     const bool inside = column >= 0 && column < double(right.size());
     if (!inside || !(std::abs(left[x] - right[std::size_t(column)]) <= tolerance))
       checked[x] = kNone;
