@@ -93,7 +93,7 @@ Result<StageProgram> build_stages(const Sources& sources, const StageBuild& requ
   if (!own) return tl::unexpected(own.error());
   const auto text =
       request.starter ? starter_text(sources, request.folder)
-                      : grading::read_submitted_file(request.student.parent_path(), "student.cpp");
+                      : grading::read_source(request.student);
   if (!text) return tl::unexpected(text.error());
   const std::string name = request.starter ? "starter" : "stages";
   const fs::path kept_program = request.kept / name,
