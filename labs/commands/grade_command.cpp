@@ -76,6 +76,9 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
           "--name", name_,
           "with --one and --vary: the submission's name; by default that of its folder or file")
       ->needs(vary);
+  command.add_flag("--visible", visible_,
+                   "run the visible checks only; the results then have no hidden check, and their "
+                   "points are those of the visible ones");
   command.add_flag(
       "--resume", resume_,
       "skip a submission that has a result, unless it, the lab or glassbox has changed since");
@@ -194,6 +197,7 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
   }
   digest.add(fmt::format("{} s, {} s together, {} MiB", seconds_, total_seconds_, memory_mib_));
   if (vary_) digest.add(std::to_string(seed_of(lab, name)));
+  if (visible_) digest.add("visible checks only");
   return digest.text();
 }
 
@@ -216,7 +220,7 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
   const auto lab_points = labs::read_lab_points(lab, sources.folder_of(lab.folder) / "points.json");
   if (!lab_points) return refuse(lab_points.error());
   const auto unfinished =
-      gradescope_json(ungraded_submission(lab_points->lab, kUnfinished), "", *digest);
+      gradescope_json(ungraded_submission(lab_points->lab, kUnfinished, !visible_), "", *digest);
   if (const auto begun = begin_results(files_, unfinished); !begun) return refuse(begun.error());
   for (const std::string& warning : lab_points->warnings) fmt::print(stderr, "{}\n", warning);
   return grade_one(lab_points->lab, sources, *digest, scratch);
@@ -243,7 +247,8 @@ int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& source
                                          .kit = *kit,
                                          .build = *build,
                                          .limits = limits,
-                                         .total_seconds = total_seconds_},
+                                         .total_seconds = total_seconds_,
+                                         .hidden = !visible_},
                                         read_submission(submissions_));
   const auto results = gradescope_json(graded, sandbox->description(), digest);
   // an earlier result is kept, which is better than an unfinished one
@@ -280,6 +285,7 @@ std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
                                  std::string(name_of(sandbox.confinement())),
                                  "--kit=" + kit_};
   if (vary_) words.insert(words.end(), {"--vary", "--name=" + submission.name});
+  if (visible_) words.push_back("--visible");
   words.insert(words.end(), {"--", submission.path.string()});
   return words;
 }

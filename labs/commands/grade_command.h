@@ -58,7 +58,7 @@ private:
   int jobs_ = 0;
   double seconds_ = 10, total_seconds_ = 300;
   std::size_t memory_mib_ = 512;
-  bool one_ = false, resume_ = false, vary_ = false;
+  bool one_ = false, resume_ = false, vary_ = false, visible_ = false;
 };
 
 }  // namespace glassbox::labs
