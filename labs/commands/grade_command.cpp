@@ -20,6 +20,7 @@
 #include "labs/framework/digest.h"
 #include "labs/framework/lab_points.h"
 #include "labs/framework/varied_inputs.h"
+#include "labs/grading/autograder.h"
 #include "labs/grading/class_overview.h"
 #include "labs/grading/grade.h"
 #include "labs/grading/grade_class.h"
@@ -71,11 +72,17 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   auto* vary = command.add_flag(
       "--vary", vary_,
       "give each submission its own inputs for the hidden checks, computed from its name");
+  auto* named = command.add_option(
+      "--name", name_,
+      "with --one and --vary: the submission's name; by default that of its folder or file");
+  named->needs(vary);
   command
-      .add_option(
-          "--name", name_,
-          "with --one and --vary: the submission's name; by default that of its folder or file")
-      ->needs(vary);
+      .add_option("--metadata", metadata_,
+                  "with --one and --vary: Gradescope's submission_metadata.json; the submission's "
+                  "name is made of the submitters in it")
+      ->type_name("FILE")
+      ->needs(vary)
+      ->excludes(named);
   command.add_flag("--visible", visible_,
                    "run the visible checks only; the results then have no hidden check, and their "
                    "points are those of the visible ones");
@@ -209,6 +216,11 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
     return refuse(begun.error());
   if (!fs::exists(fs::symlink_status(submissions_)))
     return refuse({submissions_, "", "does not exist", "name the folder that holds student.cpp"});
+  if (!metadata_.empty()) {
+    const auto submitters = read_submitters(metadata_);
+    if (!submitters) return refuse(submitters.error());
+    name_ = *submitters;
+  }
   if (name_.empty()) name_ = submission_name(submissions_);
   if (vary_) labs::set_inputs_seed(seed_of(lab, name_));
   const auto digest = digest_of(lab, sources, submissions_, name_);

@@ -51,7 +51,7 @@ private:
 
   const std::vector<labs::Lab>& (*labs_)();
   FindSources find_sources_;
-  std::string submissions_, kit_, collected_, lab_dir_, name_;
+  std::string submissions_, kit_, collected_, lab_dir_, name_, metadata_;
   ResultFiles files_;  // for a class: the folder of all results
   std::optional<int> lab_;
   std::optional<labs::grading::Confinement> confinement_;

@@ -30,7 +30,7 @@ struct GradeRequest {
   std::filesystem::path build;  // an empty directory for this submission alone
   Limits limits = {};
   double total_seconds = 0;  // for all checks together; 0: no limit
-  bool hidden = true;  // whether hidden checks are run too; if not, the result has none
+  bool hidden = true;        // whether hidden checks are run too; if not, the result has none
   std::size_t max_parallel_checks = 1;
   CompileOptions compile_options = {};
 };
