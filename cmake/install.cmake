@@ -27,7 +27,7 @@ install(DIRECTORY ${installed_labs} DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbo
   REGEX "/[0-9][0-9]-[^/]*/(student\\.cpp|runner\\.cpp|stages\\.cpp|timed\\.cpp|student\\.h|cases\\.h|points\\.json)$"
   REGEX "/[0-9][0-9]-[^/]*/.*\\.(md|png|svg|jpg|ppm|obj|mtl|gltf|glb)$"
   REGEX "/framework/([^/]*\\.h|(runner|stages)_main\\.cpp)$"
-  REGEX "/grading/crash_reporter\\.cpp$")
+  REGEX "/grading/(crash_reporter|compiler_view)\\.cpp$")
 install(FILES ${PROJECT_SOURCE_DIR}/docs/references.md DESTINATION ${CMAKE_INSTALL_DATADIR}/glassbox/labs)
 install(TARGETS glassbox_program DESTINATION ${CMAKE_INSTALL_BINDIR})
 # The program writes the files for shells and for man from its own tables of options.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <system_error>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -16,25 +17,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The program's directory in the user's cache.
-fs::path cache() {
+// The program's directory in the user's cache. Without a home directory it is in the system's
+// temporary directory, where another user could have made it first; then it is refused.
+Result<fs::path> cache() {
   const char* cache = std::getenv("XDG_CACHE_HOME");
   const char* home = std::getenv("HOME");
-  fs::path base;
-  if (cache != nullptr && *cache == '/') {
-    base = cache;
-  } else if (home != nullptr && *home == '/') {
-    base = fs::path(home) / ".cache";
-  } else {
-    base = fs::temp_directory_path() / fmt::format("glassbox-{}", getuid());
-  }
+  if (cache != nullptr && *cache == '/') return fs::path(cache) / "glassbox";
+  if (home != nullptr && *home == '/') return fs::path(home) / ".cache/glassbox";
+  const fs::path base = fs::temp_directory_path() / fmt::format("glassbox-{}", getuid());
+  ::mkdir(base.c_str(), 0700);
+  struct stat status = {};
+  if (::lstat(base.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
+      status.st_uid != ::geteuid() || (status.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+    return fail(base.string(), "is not a directory that only you can write to",
+                "set HOME or XDG_CACHE_HOME to a directory of your own");
   return base / "glassbox";
 }
 
-// The directory in the cache for a folder in which a lab is checked. Each folder has its own.
-fs::path cache_for(const fs::path& folder) {
+// The directory for a folder in which a lab is checked. Each folder has its own.
+fs::path cache_for(const fs::path& folder, const fs::path& cache) {
   const std::size_t place = std::hash<std::string>{}(folder.string());
-  return cache() / "labs" / fmt::format("{}-{:016x}", folder.filename().string(), place);
+  return cache / "labs" / fmt::format("{}-{:016x}", folder.filename().string(), place);
 }
 
 // The lab's name from lab.json. Empty if there is no such file; an error if the file names no lab.
@@ -76,8 +79,10 @@ Result<LabFolder> make_lab_folder(const std::string& folder, const fs::path& pla
     return fail((fs::path(folder) / "student.cpp").string(), "does not exist",
                 "put your code into this file; glassbox lab start makes it");
   const bool writable = access(place.c_str(), W_OK) == 0;
-  found.cache = cache_for(place);
-  found.kits = cache() / "kits";
+  const auto own = cache();
+  if (!own) return tl::unexpected(own.error());
+  found.cache = cache_for(place, *own);
+  found.kits = *own / "kits";
   const bool there = !builds_in_cache && writable && has_no_symlinks(place);
   found.build_dir = there ? place / "build" / "check" : found.cache;
   return found;

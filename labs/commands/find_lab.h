@@ -22,10 +22,11 @@ Result<const labs::Lab*> find_lab(const std::string& name, const std::string& as
 struct LabFolder {
   const labs::Lab* lab = nullptr;
   std::filesystem::path student;  // student.cpp
-  // in the folder; or in the user's cache if the folder is the lab's own or contains symbolic links
+  // Where the program for a debugger is written; nothing that lies there is read or run. It is in
+  // the folder; or in the user's cache if the folder is the lab's own or contains symbolic links.
   std::filesystem::path build_dir;
-  // Always in the user's cache, because they hold hidden checks or programs that are loaded:
-  // `cache` belongs to this folder, `kits` is for all labs.
+  // Always in the user's cache, because they hold hidden checks or programs that are run: `cache`
+  // belongs to this folder, `kits` is for all labs.
   std::filesystem::path cache, kits;
   std::filesystem::path outside = {};  // the lab's folder, if it is not one of the program's labs
 };

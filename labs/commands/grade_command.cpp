@@ -20,12 +20,14 @@
 #include "labs/framework/digest.h"
 #include "labs/framework/lab_points.h"
 #include "labs/framework/varied_inputs.h"
+#include "labs/grading/autograder.h"
 #include "labs/grading/class_overview.h"
 #include "labs/grading/grade.h"
 #include "labs/grading/grade_class.h"
 #include "labs/grading/outside_lab.h"
 #include "labs/grading/program_digest.h"
 #include "labs/grading/results.h"
+#include "labs/grading/roster.h"
 #include "labs/grading/submission.h"
 
 #include <glassbox/base/counted.h>
@@ -38,6 +40,19 @@ namespace {
 namespace fs = std::filesystem;
 using namespace labs::grading;
 
+// What a student reads about other files with the submission's name in the folder of the class.
+std::string note_of_others(const std::vector<std::string>& also) {
+  constexpr std::size_t kLongestName = 120;
+  std::string note;
+  for (const std::string& other : also)
+    note +=
+        fmt::format("{}{}", note.empty() ? "There is also " : ", ", printable(other, kLongestName));
+  if (note.empty()) return {};
+  return note +
+         ", which is not graded: a folder is taken before an archive, and an archive before a .cpp "
+         "file.\n";
+}
+
 }  // namespace
 
 void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
@@ -46,6 +61,7 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   command.footer(
       "Examples:\n"
       "  glassbox lab grade submissions/ --lab 5 -o results/\n"
+      "  glassbox lab grade submissions/ --lab 5 --roster students.csv -o results/\n"
       "  glassbox lab grade submissions/ann --lab 5 --one -o results/ann/results.json\n"
       "  glassbox lab grade submissions/ --lab-dir ~/labs/40-fog -o results/\n\n"
       "The folder of a class has one folder for each submission, with student.cpp in it. Every "
@@ -68,14 +84,31 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
   add_lab_dir(command, lab_dir_)->excludes("--lab");
   command.add_flag("--one", one_,
                    "SUBMISSIONS is one submission; several such commands may run at the same time");
+  const auto add_roster = [this](CLI::App& to) {
+    return to
+        .add_option("--roster", roster_,
+                    "a CSV file with a line for each student, which begins with the name of the "
+                    "submission: class.csv and index.html then have one row for each student")
+        ->type_name("FILE");
+  };
+  add_roster(command)->excludes("--one");
   auto* vary = command.add_flag(
       "--vary", vary_,
       "give each submission its own inputs for the hidden checks, computed from its name");
+  auto* named = command.add_option(
+      "--name", name_,
+      "with --one and --vary: the submission's name; by default that of its folder or file");
+  named->needs(vary);
   command
-      .add_option(
-          "--name", name_,
-          "with --one and --vary: the submission's name; by default that of its folder or file")
-      ->needs(vary);
+      .add_option("--metadata", metadata_,
+                  "with --one and --vary: Gradescope's submission_metadata.json; the submission's "
+                  "name is made of the submitters in it")
+      ->type_name("FILE")
+      ->needs(vary)
+      ->excludes(named);
+  command.add_flag("--visible", visible_,
+                   "run the visible checks only; the results then have no hidden check, and their "
+                   "points are those of the visible ones");
   command.add_flag(
       "--resume", resume_,
       "skip a submission that has a result, unless it, the lab or glassbox has changed since");
@@ -116,16 +149,23 @@ void LabGradeCommand::add_to(CLI::App& lab, int& exit_code) {
           "with --one: keep in this directory the compiled files that all submissions of a lab "
           "share")
       ->type_name("DIR");
+  // run_class() gives it to the processes that it starts; --help does not show it.
+  command.add_option("--also", also_, "another file of the same student, which is not graded")
+      ->group("");
   command.callback([this, &exit_code] { exit_code = run(); });
 
   CLI::App& collect = *lab.add_subcommand(
       "collect", "makes class.csv and index.html from results that were made with --one");
-  collect.footer("Example:\n  glassbox lab collect results/");
+  collect.footer(
+      "Examples:\n"
+      "  glassbox lab collect results/\n"
+      "  glassbox lab collect results/ --roster students.csv");
   collect
       .add_option("RESULTS", collected_,
                   "a folder with one folder for each submission, with results.json in it")
       ->required();
-  collect.callback([this, &exit_code] { exit_code = run_collect(collected_); });
+  add_roster(collect);
+  collect.callback([this, &exit_code] { exit_code = run_collect(collected_, {}); });
 }
 
 Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
@@ -144,11 +184,12 @@ Result<const labs::Lab*> LabGradeCommand::find_lab(const labs::Sources& sources,
   for (const labs::Lab& lab : labs_())
     there += fmt::format("{}{}", there.empty() ? "" : ", ", lab.number);
   if (lab_) return fail("--lab", fmt::format("there is no lab {}", *lab_), "the labs are " + there);
-  std::vector<Submission> submissions{{"", submissions_}};
+  std::vector<Submission> submissions{{"", submissions_, {}}};
   if (!one_) {
     auto listed = list_submissions(submissions_);
     if (!listed) return tl::unexpected(listed.error());
     submissions = std::move(listed->submissions);
+    if (submissions.empty() && roster_.empty()) return no_submission_error(submissions_);
   }
   for (const Submission& each : submissions) {
     if (const labs::Lab* lab = lab_of_folder(labs_(), sources, each.path)) return lab;
@@ -177,14 +218,14 @@ std::uint64_t LabGradeCommand::seed_of(const labs::Lab& lab, const std::string& 
 }
 
 Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs::Sources& sources,
-                                               const fs::path& submission,
-                                               const std::string& name) const {
+                                               const Submission& submission) const {
   const auto kit = build_kit_fingerprint(sources, lab.folder);
   if (!kit) return kit;
-  const auto text = read_submission(submission);
+  const auto read = read_submission(submission.path);
   labs::Digest digest;
   digest.add(program_digest()).add(lab.folder).add(*kit);
-  digest.add(text ? *text : text.error().message());
+  digest.add(read ? read->text : read.error().message()).add(read ? read->note : "");
+  for (const std::string& other : submission.also) digest.add(other);
   if (const auto points = labs::read_text_file(sources.folder_of(lab.folder) / "points.json"))
     digest.add(*points);
   if (!sources.outside.empty()) {
@@ -193,7 +234,8 @@ Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs:
     digest.add(*judge);
   }
   digest.add(fmt::format("{} s, {} s together, {} MiB", seconds_, total_seconds_, memory_mib_));
-  if (vary_) digest.add(std::to_string(seed_of(lab, name)));
+  if (vary_) digest.add(std::to_string(seed_of(lab, submission.name)));
+  if (visible_) digest.add("visible checks only");
   return digest.text();
 }
 
@@ -205,9 +247,14 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
     return refuse(begun.error());
   if (!fs::exists(fs::symlink_status(submissions_)))
     return refuse({submissions_, "", "does not exist", "name the folder that holds student.cpp"});
+  if (!metadata_.empty()) {
+    const auto submitters = read_submitters(metadata_);
+    if (!submitters) return refuse(submitters.error());
+    name_ = *submitters;
+  }
   if (name_.empty()) name_ = submission_name(submissions_);
   if (vary_) labs::set_inputs_seed(seed_of(lab, name_));
-  const auto digest = digest_of(lab, sources, submissions_, name_);
+  const auto digest = digest_of(lab, sources, {name_, submissions_, also_});
   if (!digest) return refuse(digest.error());
   if (resume_ && is_up_to_date(files_.output, *digest)) {
     fmt::print("{} already has the result of this submission\n", files_.output);
@@ -216,7 +263,7 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
   const auto lab_points = labs::read_lab_points(lab, sources.folder_of(lab.folder) / "points.json");
   if (!lab_points) return refuse(lab_points.error());
   const auto unfinished =
-      gradescope_json(ungraded_submission(lab_points->lab, kUnfinished), "", *digest);
+      gradescope_json(ungraded_submission(lab_points->lab, kUnfinished, !visible_), "", *digest);
   if (const auto begun = begin_results(files_, unfinished); !begun) return refuse(begun.error());
   for (const std::string& warning : lab_points->warnings) fmt::print(stderr, "{}\n", warning);
   return grade_one(lab_points->lab, sources, *digest, scratch);
@@ -238,13 +285,18 @@ int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& source
   Limits limits;
   limits.seconds = seconds_;
   limits.memory_bytes = memory_mib_ * kMiB;
-  const GradedSubmission graded = grade({.lab = lab,
-                                         .sandbox = *sandbox,
-                                         .kit = *kit,
-                                         .build = *build,
-                                         .limits = limits,
-                                         .total_seconds = total_seconds_},
-                                        read_submission(submissions_));
+  const auto submission = read_submission(submissions_);
+  const auto text =
+      submission ? Result<std::string>(submission->text) : tl::unexpected(submission.error());
+  GradedSubmission graded = grade({.lab = lab,
+                                   .sandbox = *sandbox,
+                                   .kit = *kit,
+                                   .build = *build,
+                                   .limits = limits,
+                                   .total_seconds = total_seconds_,
+                                   .hidden = !visible_},
+                                  text);
+  graded.messages = (submission ? submission->note : "") + note_of_others(also_) + graded.messages;
   const auto results = gradescope_json(graded, sandbox->description(), digest);
   // an earlier result is kept, which is better than an unfinished one
   if (graded.outcome == kUnfinished) {
@@ -280,6 +332,8 @@ std::vector<std::string> LabGradeCommand::command_for_one(const labs::Lab& lab,
                                  std::string(name_of(sandbox.confinement())),
                                  "--kit=" + kit_};
   if (vary_) words.insert(words.end(), {"--vary", "--name=" + submission.name});
+  for (const std::string& other : submission.also) words.push_back("--also=" + other);
+  if (visible_) words.push_back("--visible");
   words.insert(words.end(), {"--", submission.path.string()});
   return words;
 }
@@ -291,6 +345,11 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
   for (const std::string& skipped : listed->skipped)
     fmt::print(stderr, "skipped: {}\n", printable(skipped));
   const std::vector<Submission>& all = listed->submissions;
+  if (all.empty() && roster_.empty()) return refuse(no_submission_error(submissions_).value());
+  // A roster that cannot be read is refused before anything is graded.
+  if (const auto enrolled = roster(); !enrolled) return refuse(enrolled.error());
+  std::error_code made;
+  fs::create_directories(files_.output, made);
   std::map<std::string, Submission> chosen;
   for (const Submission& each : all) {
     const fs::path results = fs::path(files_.output) / each.name;
@@ -301,7 +360,7 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
                      "the folder for results cannot be created: " + error.message(),
                      "give another folder with -o"});
     const std::string file = (results / "results.json").string();
-    const auto digest = digest_of(lab, sources, each.path, each.name);
+    const auto digest = digest_of(lab, sources, each);
     if (!digest) return refuse(digest.error());
     if (resume_ && is_up_to_date(file, *digest)) continue;
     chosen.emplace(each.name, each);
@@ -341,14 +400,54 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
     if (!fine) fmt::print(stderr, "{}\n", printable(printed, 2000));
   };
   grade_class(request);
-  return run_collect(files_.output);
+  const auto nothing = gradescope_json(
+      ungraded_submission(lab_points->lab, kNoSubmission, !visible_), sandbox->description());
+  const int collected = run_collect(files_.output, nothing);
+  if (listed->skipped.empty()) return collected;
+  fmt::print(stderr, "{} of {} {} skipped (see above)\n",
+             counted(listed->skipped.size(), "entry", "entries"), printable(submissions_),
+             singular_or_plural(listed->skipped.size(), "was", "were"));
+  return std::max<int>(collected, kFailure);
 }
 
-int LabGradeCommand::run_collect(const fs::path& results) const {
-  const auto rows = read_results(results);
+Result<Roster> LabGradeCommand::roster() const {
+  return roster_.empty() ? Roster{} : read_roster(roster_);
+}
+
+// Makes the rows those of the roster. Says who is missing and whose submission is nobody's.
+bool LabGradeCommand::apply_roster(std::vector<ClassRow>& rows, const Roster& roster,
+                                   const nlohmann::ordered_json& lab) {
+  RowsOfRoster found = rows_of_roster(roster, std::move(rows), lab);
+  rows = std::move(found.rows);
+  const auto say = [](const std::string& begin, const std::vector<std::string>& names) {
+    constexpr std::size_t kLongestName = 40;
+    fmt::print(stderr, "{}:\n", begin);
+    for (const std::string& name : names)
+      fmt::print(stderr, "  {}\n", printable(name, kLongestName));
+  };
+  if (!found.missing.empty())
+    say(fmt::format("no submission of {} on the roster", counted(found.missing.size(), "student")),
+        found.missing);
+  if (!found.strangers.empty())
+    say(fmt::format("{} of nobody on the roster, without a row in the tables",
+                    counted(found.strangers.size(), "submission")),
+        found.strangers);
+  return found.missing.empty() && found.strangers.empty();
+}
+
+int LabGradeCommand::run_collect(const fs::path& results,
+                                 const std::optional<nlohmann::ordered_json>& lab) const {
+  const auto enrolled = roster();
+  if (!enrolled) return refuse(enrolled.error());
+  auto rows = read_results(results);
   if (!rows) return refuse(rows.error());
-  for (const auto& [file, text] :
-       {std::pair{kTableOfClass, class_csv(*rows)}, {kPageOfClass, class_html(*rows)}}) {
+  if (rows->empty() && roster_.empty())
+    return refuse({results.string(), "", "holds no folder",
+                   "name the folder that `lab grade` wrote, with one folder for each submission"});
+  const bool complete =
+      roster_.empty() || apply_roster(*rows, *enrolled, lab ? *lab : lab_of_rows(*rows));
+  for (const auto& [file, text] : {std::pair{kTableOfClass, class_csv(*rows, enrolled->columns)},
+                                   {kPageOfClass, class_html(*rows, enrolled->columns)}}) {
     if (const auto written = write_text((results / file).string(), text); !written)
       return refuse(written.error());
   }
@@ -364,7 +463,7 @@ int LabGradeCommand::run_collect(const fs::path& results) const {
   }
   fmt::print("{} and {} have the details\n", (results / kTableOfClass).string(),
              (results / kPageOfClass).string());
-  if (unfinished == 0) return kSuccess;
+  if (unfinished == 0) return complete ? kSuccess : kFailure;
   fmt::print(stderr,
              "the grading of {} of {} did not finish; run lab grade --resume to finish it\n",
              unfinished, counted(rows->size(), "submission"));

@@ -131,7 +131,7 @@ const labs::Lab* lab_of_folder(const std::vector<labs::Lab>& labs, const labs::S
   for (const labs::Lab& lab : labs) {
     auto own = labs::read_text_file(sources.folder_of(lab.folder) / "student.h");
     if (own) own = labs::strip_solution(*own, "student.h");
-    if (own && *own == *given) return &lab;
+    if (own && *own == given->text) return &lab;
   }
   return nullptr;
 }

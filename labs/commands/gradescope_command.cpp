@@ -35,6 +35,7 @@ private:
   std::string output_ = "autograder.zip";
   double seconds_ = 10;
   std::size_t memory_mib_ = 512;
+  bool vary_ = false;
 };
 
 void LabGradescopeCommand::add_to(CLI::App& lab, int& exit_code) {
@@ -55,6 +56,9 @@ void LabGradescopeCommand::add_to(CLI::App& lab, int& exit_code) {
       .add_option("--memory-limit", memory_mib_,
                   "memory limit of each check, in MiB; by default 512")
       ->check(CLI::Range(std::size_t(64), std::size_t(1) << 20));
+  command.add_flag("--vary", vary_,
+                   "give each submission its own inputs for the hidden checks, computed from those "
+                   "who handed it in");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
@@ -65,7 +69,8 @@ int LabGradescopeCommand::run() const {
     if (lab.number != lab_) continue;
     const auto entries = labs::grading::autograder_files(
         lab, sources->labs.parent_path(),
-        {fmt::format("--time-limit {}", seconds_), fmt::format("--memory-limit {}", memory_mib_)});
+        {fmt::format("--time-limit {}", seconds_), fmt::format("--memory-limit {}", memory_mib_)},
+        vary_);
     if (!entries) return refuse(entries.error());
     const auto bytes = labs::make_zip(*entries);
     if (!bytes) return refuse(bytes.error());

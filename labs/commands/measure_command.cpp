@@ -187,6 +187,8 @@ labs::LabMeasure without(const labs::LabMeasure& whole, const std::vector<std::s
 // the exit code.
 int judge(const std::string& path, const labs::Claim& claimed, const labs::Claim& measured,
           std::FILE* out) {
+  fmt::print(out, "{}: the times of {}\n", printable(path), printable(labs::owner_text(claimed)));
+  fmt::print(out, "measured here: the times of {}\n", printable(labs::owner_text(measured)));
   const auto found = labs::contradictions(claimed, measured);
   if (found.empty()) {
     fmt::print(out,
@@ -294,7 +296,8 @@ int LabMeasureCommand::run() const {
   const auto text = labs::grading::read_source(folder->student);
   if (!text) return refuse(text.error());
   const labs::Claim claim =
-      labs::claim_of(folder->lab->folder, labs::Digest().add(*text).text(), origin, result, series);
+      labs::claim_of(folder->lab->folder, labs::grading::submission_name(selection_.folder),
+                     labs::Digest().add(*text).text(), origin, result, series);
   if (json_output_) {
     if (const auto made = write_json(*json_output_, labs::claim_json(claim)); !made)
       return refuse(made.error());

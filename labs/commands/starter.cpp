@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "labs/drawing/drawing.h"
 #include "labs/framework/strip_solution.h"
 
 namespace glassbox::labs {
@@ -114,19 +115,43 @@ constexpr const char* kTasks = R"({
       "command": "glassbox lab check .",
       "group": {"kind": "test", "isDefault": true},
       "problemMatcher": "$gcc"
-    }
-  ]
+    }@RENDER@
 }
 )";
+
+// For a lab that draws: a picture with the student's functions.
+constexpr const char* kRenderTask = R"(,
+    {
+      "label": "render",
+      "type": "shell",
+      "command": "glassbox lab render . ${input:scene} --size 640x360 -o picture.png",
+      "problemMatcher": "$gcc"
+    }
+  ],
+  "inputs": [
+    {
+      "id": "scene",
+      "type": "promptString",
+      "description": "Which scene: cube, teapot, room, another built-in one, or a file",
+      "default": "teapot"
+    }
+  ])";
+
+std::string replaced(std::string text, const std::string& mark, const std::string& by) {
+  return text.replace(text.find(mark), mark.size(), by);
+}
+
+// The tasks of the editor: build, check and, if the lab draws, render.
+std::string tasks_json(bool draws) {
+  return replaced(kTasks, "@RENDER@", draws ? kRenderTask : "\n  ]");
+}
 
 std::string launch_json(const labs::Lab& lab) {
   auto names = nlohmann::json::array();
   for (const labs::Check& check : lab.checks) {
     if (!check.hidden) names.push_back(check.name);
   }
-  std::string text = kLaunch;
-  const std::string mark = "@CHECKS@";
-  return text.replace(text.find(mark), mark.size(), names.dump());
+  return replaced(kLaunch, "@CHECKS@", names.dump());
 }
 
 std::string lab_json(const labs::Lab& lab) {
@@ -228,7 +253,8 @@ Result<std::vector<SourceFile>> make_starter(const labs::Sources& sources, const
       {"CMakeLists.txt", fmt::format(kCMakeLists, lab.folder, sources.include.generic_string())});
   files.push_back({"CMakePresets.json", kPresets});
   files.push_back({".vscode/launch.json", launch_json(lab)});
-  files.push_back({".vscode/tasks.json", kTasks});
+  files.push_back({".vscode/tasks.json",
+                   tasks_json(sources.outside.empty() && drawing_of(lab.number).has_value())});
   files.push_back({".gitignore", "build/\n"});
   files.push_back({"lab.json", lab_json(lab)});
   return files;

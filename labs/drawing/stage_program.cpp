@@ -55,7 +55,10 @@ Result<LabObjects> compile_lab_objects(const Sources& sources, const StageBuild&
   const fs::path include = place / "include";
   own.kit.include = include;
   own.kit.compiler = compiler();
-  own.key = own.kit.compiler + "\n" + *crash_reporter;
+  const auto compiler_view = read_text_file(sources.labs / "grading/compiler_view.cpp");
+  if (!compiler_view) return tl::unexpected(compiler_view.error());
+  own.kit.view = place / "compiler-view.so";
+  own.key = own.kit.compiler + "\n" + *crash_reporter + *compiler_view;
   for (const auto* list : {&*files, &*headers}) {
     for (const SourceFile& file : *list) {
       own.key += file.path + "\n" + file.text;
@@ -75,6 +78,11 @@ Result<LabObjects> compile_lab_objects(const Sources& sources, const StageBuild&
     const auto done = grading::compile_lab_file(own.kit.compiler, source, {include}, object);
     if (!done) return tl::unexpected(done.error());
   }
+  std::error_code error;
+  if (!before || *before != own.key || !fs::exists(own.kit.view, error)) {
+    const auto done = grading::compile_view(own.kit.compiler, sources, own.kit.view);
+    if (!done) return tl::unexpected(done.error());
+  }
   if (const auto written = write_if_changed(place / "key", own.key); !written)
     return tl::unexpected(written.error());
   return own;
@@ -91,9 +99,8 @@ Result<StageProgram> build_stages(const Sources& sources, const StageBuild& requ
                                   const Sandbox& sandbox) {
   const auto own = compile_lab_objects(sources, request);
   if (!own) return tl::unexpected(own.error());
-  const auto text =
-      request.starter ? starter_text(sources, request.folder)
-                      : grading::read_submitted_file(request.student.parent_path(), "student.cpp");
+  const auto text = request.starter ? starter_text(sources, request.folder)
+                                    : grading::read_source(request.student);
   if (!text) return tl::unexpected(text.error());
   const std::string name = request.starter ? "starter" : "stages";
   const fs::path kept_program = request.kept / name,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -14,7 +15,9 @@
 
 #include <fmt/format.h>
 
-#include "labs/grading/submission.h"
+#include "labs/grading/choose_file.h"
+
+#include <glassbox/base/ascii_case.h>
 
 namespace glassbox::labs::grading {
 
@@ -32,11 +35,18 @@ auto archive_refused(const fs::path& file, const std::string& cause) {
               "hand in student.cpp itself, or a plain .zip of the lab's folder");
 }
 
+// A file of the wanted name: its text, or the reason why it is refused.
+struct Candidate {
+  fs::path path;
+  std::string text, refusal = {};
+};
+
 // The contents of an archive, as far as they matter; folders are ignored.
 struct Contents {
   std::vector<fs::path> files;
-  std::vector<std::pair<fs::path, std::string>> wanted;  // the files of the wanted name
-  std::string refusal;  // why the archive is refused; empty if it is not
+  std::set<fs::path> wanted;       // the files of the wanted name
+  std::optional<Candidate> taken;  // the one of them that is graded
+  std::string refusal;             // why the archive is refused; empty if it is not
 };
 
 bool is_hostile(const fs::path& path) {
@@ -44,9 +54,9 @@ bool is_hostile(const fs::path& path) {
          std::find(path.begin(), path.end(), "..") != path.end();
 }
 
-// Reads the entry's bytes, subtracts their number from `left`, and appends them to `kept` if that
-// is not null. Returns why it failed; empty if it did not.
-std::string read_bytes(archive* reader, std::size_t& left, std::string* kept) {
+// Reads the entry's bytes, subtracts their number from `left`, and stores them in `kept` if that is
+// not null. Returns why the archive is refused; empty if it is not.
+std::string read_bytes(archive* reader, std::size_t& left, Candidate* kept) {
   char block[65536];
   while (true) {
     const la_ssize_t got = archive_read_data(reader, block, sizeof block);
@@ -56,9 +66,13 @@ std::string read_bytes(archive* reader, std::size_t& left, std::string* kept) {
     if (size > left) return fmt::format("holds more than {} MiB of files", kMaxUnpacked >> 20);
     left -= size;
     if (kept == nullptr) continue;
-    if (kept->size() + size > kLargestSource)
-      return fmt::format("has a source file of more than {} bytes", kLargestSource);
-    kept->append(block, size);
+    if (kept->text.size() + size > kLargestSource) {
+      kept->refusal = fmt::format("has a source file of more than {} bytes: {}", kLargestSource,
+                                  kept->path.string());
+      kept = nullptr;
+      continue;
+    }
+    kept->text.append(block, size);
   }
 }
 
@@ -86,19 +100,32 @@ Contents read_all(archive* reader, const std::string& name) {
                       path.string());
       return contents;
     }
-    const bool is_wanted = path.filename() == name;
     const bool is_link =
         archive_entry_symlink(entry) != nullptr || archive_entry_hardlink(entry) != nullptr;
-    if (is_wanted && is_link) {
-      contents.refusal = name + " in it is a link";
-      return contents;
+    const bool is_folder = archive_entry_filetype(entry) == AE_IFDIR && !is_link;
+    if (is_folder || is_ignored(path)) {
+      contents.refusal = read_bytes(reader, left, nullptr);
+      if (!contents.refusal.empty()) return contents;
+      continue;
     }
-    if (archive_entry_filetype(entry) != AE_IFREG || is_link) continue;
-    contents.files.push_back(path);
-    std::string text;
-    contents.refusal = read_bytes(reader, left, is_wanted ? &text : nullptr);
-    if (!contents.refusal.empty()) return contents;
-    if (is_wanted) contents.wanted.emplace_back(path, std::move(text));
+    std::optional<Candidate> candidate;
+    if (has_wanted_name(path, name)) {
+      contents.wanted.insert(path);
+      // An entry with the path of an earlier one replaces it, as when the archive is unpacked.
+      const bool is_taken = !contents.taken || path == contents.taken->path ||
+                            is_taken_before(path, contents.taken->path, name);
+      if (is_taken) candidate = Candidate{path, {}};
+    }
+    if (is_link || archive_entry_filetype(entry) != AE_IFREG) {
+      if (candidate)
+        candidate->refusal =
+            path.string() + " in it is " + (is_link ? "a link" : "not an ordinary file");
+    } else {
+      contents.files.push_back(path);
+      contents.refusal = read_bytes(reader, left, candidate ? &*candidate : nullptr);
+      if (!contents.refusal.empty()) return contents;
+    }
+    if (candidate) contents.taken = std::move(candidate);
   }
 }
 
@@ -119,17 +146,15 @@ int open_ordinary(const fs::path& file, std::string& why) {
 }  // namespace
 
 bool is_archive(const fs::path& file) {
-  std::string name = file.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = lower_case(file.filename().string());
   for (const char* end :
-       {".zip", ".7z", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst"}) {
+       {".zip", ".7z", ".rar", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst"}) {
     if (name.ends_with(end)) return true;
   }
   return false;
 }
 
-Result<std::string> read_from_archive(const fs::path& file, const std::string& name) {
+Result<SubmittedFile> read_from_archive(const fs::path& file, const std::string& name) {
   std::string why;
   const int opened = open_ordinary(file, why);
   if (opened < 0) return archive_refused(file, why);
@@ -137,6 +162,8 @@ Result<std::string> read_from_archive(const fs::path& file, const std::string& n
   archive_read_support_format_zip(reader.get());
   archive_read_support_format_tar(reader.get());
   archive_read_support_format_7zip(reader.get());
+  archive_read_support_format_rar(reader.get());
+  archive_read_support_format_rar5(reader.get());
   archive_read_support_filter_gzip(reader.get());
   archive_read_support_filter_bzip2(reader.get());
   archive_read_support_filter_xz(reader.get());
@@ -149,19 +176,13 @@ Result<std::string> read_from_archive(const fs::path& file, const std::string& n
   }
   ::close(opened);
   if (!contents.refusal.empty()) return archive_refused(file, contents.refusal);
-  // Files that a Mac adds are ignored.
-  std::erase_if(contents.files, [](const fs::path& path) { return *path.begin() == "__MACOSX"; });
-  std::set<fs::path> folders;
-  bool top = false;
-  for (const fs::path& path : contents.files) {
-    folders.insert(*path.begin());
-    top = top || path == name;
-  }
-  for (auto& [path, text] : contents.wanted) {
-    const bool in_only_folder = !top && folders.size() == 1 && path == *folders.begin() / name;
-    if (path == name || in_only_folder) return std::move(text);
-  }
-  return missing_file_error(name, contents.files);
+  if (!contents.taken) return missing_file_error(name, contents.files);
+  Candidate& taken = *contents.taken;
+  if (!taken.refusal.empty()) return archive_refused(file, taken.refusal);
+  contents.wanted.erase(taken.path);
+  return SubmittedFile{
+      std::move(taken.text),
+      note_of_choice(taken.path, {contents.wanted.begin(), contents.wanted.end()}, name)};
 }
 
 }  // namespace glassbox::labs::grading

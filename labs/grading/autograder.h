@@ -19,12 +19,19 @@ namespace glassbox::labs::grading {
 //
 // The layout is Gradescope's, /autograder/{source,submission,results}. The environment variable
 // GLASSBOX_AUTOGRADER names another folder in place of /autograder, to try the archive without
-// Gradescope.
+// Gradescope. With `vary` each submission has hidden inputs of its own (`lab grade --vary`), which
+// follow from those who handed it in.
 Result<std::vector<ZipEntry>> autograder_files(const Lab& lab, const std::filesystem::path& tree,
-                                               const std::vector<std::string>& options);
+                                               const std::vector<std::string>& options,
+                                               bool vary = false);
 
 // The texts of the two scripts, setup.sh and run_autograder.
 std::string setup_script();
-std::string run_script(int lab, const std::vector<std::string>& options);
+std::string run_script(int lab, const std::vector<std::string>& options, bool vary = false);
+
+// Those who handed in, from submission_metadata.json, which Gradescope puts beside the submission:
+// https://gradescope-autograders.readthedocs.io/en/latest/submission_metadata/. The text is the
+// users' ids (emails where there are none), sorted and joined by "+", so a group has one name.
+Result<std::string> read_submitters(const std::filesystem::path& file);
 
 }  // namespace glassbox::labs::grading

@@ -21,6 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The library of compiler_view.cpp in the directory of a kit.
+constexpr const char* kView = "compiler-view.so";
+
 bool is_clang(const std::string& compiler) {
   return fs::path(compiler).filename().string().find("clang") != std::string::npos;
 }
@@ -94,6 +97,7 @@ BuildKit kit_in(const fs::path& directory, const std::string& compiler,
   kit.fingerprint = fingerprint;
   kit.include = directory / "include";
   const fs::path objects = directory / "objects";
+  kit.view = directory / kView;
   kit.starter = objects / "starter.o";
   for (const char* name : {"main.o", "crash_reporter.o"}) {
     kit.visible.push_back(objects / name);
@@ -116,8 +120,10 @@ void make_readable_for_all(const BuildKit& kit, const fs::path& directory) {
     std::error_code ignored;
     fs::permissions(entry->path(), added, fs::perm_options::add, ignored);
   }
-  for (const fs::path& path : {directory, kit.include})
-    fs::permissions(path, perms(0755), fs::perm_options::replace, error);
+  for (const fs::path& path : {directory, kit.include, directory / kView}) {
+    if (fs::exists(path, error))
+      fs::permissions(path, perms(0755), fs::perm_options::replace, error);
+  }
   fs::permissions(directory / "objects", perms::owner_all, fs::perm_options::replace, error);
 }
 
@@ -126,7 +132,7 @@ struct Parts {
   std::string starter;
   // student.cpp with the solution and the files around it: without hidden checks, and with them
   std::vector<SourceFile> visible, all;
-  std::string crash_reporter;
+  std::string crash_reporter, compiler_view;
 };
 
 Result<std::vector<SourceFile>> files_of(const Sources& sources, const std::string& folder,
@@ -146,9 +152,12 @@ Result<Parts> parts_of(const Sources& sources, const std::string& folder) {
   if (!all) return tl::unexpected(all.error());
   const auto crash_reporter = read_text_file(sources.labs / "grading/crash_reporter.cpp");
   if (!crash_reporter) return tl::unexpected(crash_reporter.error());
+  const auto compiler_view = read_text_file(sources.labs / "grading/compiler_view.cpp");
+  if (!compiler_view) return tl::unexpected(compiler_view.error());
   auto starter = strip_solution(visible->back().text, folder + "/student.cpp");
   if (!starter) return tl::unexpected(starter.error());
-  return Parts{std::move(*starter), std::move(*visible), std::move(*all), *crash_reporter};
+  return Parts{std::move(*starter), std::move(*visible), std::move(*all), *crash_reporter,
+               *compiler_view};
 }
 
 Result<std::string> fingerprint_of(const Sources& sources, const Parts& parts,
@@ -159,7 +168,7 @@ Result<std::string> fingerprint_of(const Sources& sources, const Parts& parts,
   for (const auto* files : {&parts.visible, &parts.all, &*headers}) {
     for (const SourceFile& file : *files) digest.add(file.path).add(file.text);
   }
-  digest.add(parts.crash_reporter).add(compiler_path);
+  digest.add(parts.crash_reporter).add(parts.compiler_view).add(compiler_path);
   for (const std::string& word : compiler_flags()) digest.add(word);
   return digest.text();
 }
@@ -246,8 +255,12 @@ Result<void> compile_kit(const BuildKit& kit, const Sources& sources, const Part
       {starter, kit.starter},
       {own / "visible/labs/framework/runner_main.cpp", objects / "main.o"},
       {sources.labs / "grading/crash_reporter.cpp", objects / "crash_reporter.o"}};
-  std::vector<Result<void>> done(compiled.size());
-  run_in_parallel(compiled.size(), [&](std::size_t i) {
+  std::vector<Result<void>> done(compiled.size() + 1);
+  run_in_parallel(done.size(), [&](std::size_t i) {
+    if (i == compiled.size()) {
+      done[i] = compile_view(kit.compiler, sources, kit.view);
+      return;
+    }
     const auto& [source, object] = compiled[i];
     done[i] = (i == 1 ? all : visible).compile(source, object);
   });
@@ -265,6 +278,18 @@ Result<void> compile_lab_file(const std::string& compiler, const fs::path& sourc
                               const std::vector<fs::path>& includes, const fs::path& object) {
   std::vector<std::string> words = lab_compile_command(compiler, includes);
   append(words, {"-c", source.string(), "-o", object.string()});
+  const auto done = run_trusted_compiler(words);
+  if (!done) return tl::unexpected(done.error());
+  return {};
+}
+
+Result<void> compile_view(const std::string& compiler, const Sources& sources,
+                          const fs::path& library) {
+  std::vector<std::string> words = lab_compile_command(compiler, {});
+  // Only the C library is named in it, because the compiler may have another C++ library of its own.
+  append(words,
+         {"-shared", "-fPIC", "-fno-exceptions", "-Wl,--as-needed",
+          (sources.labs / "grading/compiler_view.cpp").string(), "-o", library.string(), "-ldl"});
   const auto done = run_trusted_compiler(words);
   if (!done) return tl::unexpected(done.error());
   return {};
@@ -323,6 +348,9 @@ Result<BuildKit> copy_build_kit(const BuildKit& kit, const fs::path& directory) 
   std::error_code error;
   fs::create_directories(directory, error);
   fs::copy(kit.include, copy.include, fs::copy_options::recursive, error);
+  copy.view = fs::exists(kit.view) ? directory / kView : fs::path();
+  if (!error && !copy.view.empty())
+    fs::copy_file(kit.view, copy.view, fs::copy_options::overwrite_existing, error);
   if (error) return fail(directory.string(), error.message(), "free some space there");
   make_readable_for_all(copy, directory);
   return copy;

@@ -24,8 +24,11 @@ struct BuildKit {
   // submission's code has been compiled.
   std::vector<std::filesystem::path> visible, all;
   std::filesystem::path starter;  // student.cpp as students get it, compiled
-  std::string compiler;           // the path of the compiler
-  std::string fingerprint;        // a digest of all files and settings that it was made from
+  // The library that hides files from the compiler where the sandbox does not (compiler_view.cpp);
+  // empty: there is none
+  std::filesystem::path view;
+  std::string compiler;     // the path of the compiler
+  std::string fingerprint;  // a digest of all files and settings that it was made from
 
   const std::vector<std::filesystem::path>& objects(CheckSelection checks) const {
     return checks == CheckSelection::kVisible ? visible : all;
@@ -50,6 +53,10 @@ Result<BuildKit> copy_build_kit(const BuildKit& kit, const std::filesystem::path
 Result<void> compile_lab_file(const std::string& compiler, const std::filesystem::path& source,
                               const std::vector<std::filesystem::path>& includes,
                               const std::filesystem::path& object);
+
+// Compiles compiler_view.cpp to a shared library.
+Result<void> compile_view(const std::string& compiler, const Sources& sources,
+                          const std::filesystem::path& library);
 
 // The options of the commands that make a program of student.cpp, one after the other. The commands
 // are run in the directory `build` and look for the files there; afterwards kFilesRead there lists

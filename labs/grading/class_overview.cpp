@@ -68,14 +68,20 @@ std::string check_row(const Json& test) {
       test.at("max_score").get<double>());
 }
 
-std::string submission_html(const ClassRow& row) {
+std::string submission_html(const ClassRow& row, const std::vector<std::string>& columns) {
   const double score = total_of(row.results), most = max_score(row);
   std::string html = fmt::format(
       "<details><summary><b>{}</b><span>{}</span><meter max=\"{:.6g}\" "
       "value=\"{:.6g}\"></meter><span class=\"score\">{:.6g} / {:.6g}</span></summary>\n",
       escaped_html(row.name), escaped_html(outcome_of(row)), most > 0 ? most : 1, score, score,
       most);
+  std::string cells;
+  for (std::size_t i = 0; i < std::min(columns.size(), row.cells.size()); ++i)
+    cells += fmt::format("{}{}: {}", i == 0 ? "" : "; ", escaped_html(columns[i]),
+                         escaped_html(row.cells[i]));
+  if (!cells.empty()) html += "<p>" + cells + "</p>\n";
   html += "<pre>" + escaped_html(row.results.at("output")) + "</pre>\n";
+  if (row.results.at("tests").empty()) return html + "</details>\n";
   html += "<table><tr><th>No.</th><th>Check</th><th>Outcome</th><th>Points</th></tr>\n";
   for (const Json& test : row.results.at("tests")) html += check_row(test);
   return html + "</table></details>\n";
@@ -90,39 +96,85 @@ std::string outcome_of(const ClassRow& row) {
                      outcome);
 }
 
-std::string class_csv(const std::vector<ClassRow>& rows) {
+Json lab_of_rows(const std::vector<ClassRow>& rows) {
+  for (const ClassRow& row : rows) {
+    if (!tasks(row).empty()) return row.results;
+  }
+  return unfinished_json();
+}
+
+RowsOfRoster rows_of_roster(const Roster& roster, std::vector<ClassRow> rows, const Json& lab) {
+  Json nothing = lab;
+  Json& extra = nothing["extra_data"];
+  extra["outcome"] = kNoSubmission;
+  extra["score"] = 0.0;
+  for (const char* name : {"sandbox", "digest"}) extra.erase(name);
+  if (extra.contains("tasks")) {
+    for (Json& task : extra["tasks"]) task["score"] = 0.0;
+  }
+  nothing["output"] = "No submission.\n";
+  nothing["tests"] = Json::array();
+  RowsOfRoster found;
+  for (const EnrolledStudent& student : roster.students) {
+    const auto own = std::find_if(rows.begin(), rows.end(), [&](const ClassRow& row) {
+      return row.name == student.submission;
+    });
+    ClassRow row{student.submission, nothing, true, {}, false};
+    if (own != rows.end()) {
+      row = std::move(*own);
+      rows.erase(own);
+    } else {
+      found.missing.push_back(student.submission);
+    }
+    row.cells = student.cells;
+    found.rows.push_back(std::move(row));
+  }
+  for (const ClassRow& row : rows) found.strangers.push_back(row.name);
+  return found;
+}
+
+std::string class_csv(const std::vector<ClassRow>& rows, const std::vector<std::string>& columns) {
   const std::vector<std::string> ids = task_ids(rows);
   std::string csv = "submission,score,max_score,outcome";
   for (const std::string& id : ids) csv += "," + csv_text("task " + id);
+  for (const std::string& column : columns) csv += "," + csv_text(column);
   csv += "\r\n";
   for (const ClassRow& row : rows) {
     csv += fmt::format("{},{:.6g},{:.6g},{}", csv_text(row.name), total_of(row.results),
                        max_score(row), csv_text(outcome_of(row)));
     for (const std::string& id : ids) csv += "," + task_score(row, id);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      csv += "," + (i < row.cells.size() ? csv_text(row.cells[i]) : std::string());
     csv += "\r\n";
   }
   return csv;
 }
 
-std::string class_html(const std::vector<ClassRow>& rows) {
+std::string class_html(const std::vector<ClassRow>& rows, const std::vector<std::string>& columns) {
   std::string title = "Results";
   std::string sandbox;
   double sum = 0, most = 0;
+  std::size_t submissions = 0;
   for (const ClassRow& row : rows) {
     const Json& extra = row.results.at("extra_data");
     if (extra.contains("folder")) title = "Lab " + extra["folder"].get<std::string>();
     if (extra.contains("sandbox")) sandbox = extra["sandbox"];
     sum += total_of(row.results);
+    submissions += row.handed_in ? 1 : 0;
     most = std::max(most, max_score(row));
   }
   std::string html =
       fmt::format("<header><h1>{}</h1></header>\n<main>\n<section>\n", escaped_html(title));
-  html += fmt::format("<p>{}; on average {:.3g} of {:.6g} points.</p>\n",
-                      counted(rows.size(), "submission"),
-                      rows.empty() ? 0 : sum / static_cast<double>(rows.size()), most);
+  const std::size_t missing = rows.size() - submissions;
+  html += fmt::format("<p>{}{}; on average {:.3g} of {:.6g} points.</p>\n",
+                      counted(submissions, "submission"),
+                      missing == 0 ? ""
+                                   : fmt::format(" of {}, {} of whom handed in nothing",
+                                                 counted(rows.size(), "student"), missing),
+                      submissions == 0 ? 0 : sum / static_cast<double>(submissions), most);
   if (!sandbox.empty()) html += fmt::format("<p>Sandbox: {}.</p>\n", escaped_html(sandbox));
   html += "</section>\n<section>\n";
-  for (const ClassRow& row : rows) html += submission_html(row);
+  for (const ClassRow& row : rows) html += submission_html(row, columns);
   return assemble_page(kClassPage, title, html + "</section>\n</main>\n");
 }
 

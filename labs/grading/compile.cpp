@@ -70,7 +70,8 @@ std::string without_grader_paths(const std::string& messages, const BuildKit& ki
 std::string run_confined_compiler(const std::vector<std::string>& command, const Sandbox& sandbox,
                                   const BuildKit& kit, const fs::path& build,
                                   std::string& messages) {
-  const RunOutcome outcome = sandbox.compile(command, build, {kit.include}, compile_limits());
+  const RunOutcome outcome =
+      sandbox.compile(command, build, {kit.include}, compile_limits(), kit.view);
   messages += without_grader_paths(outcome.printed, kit, build);
   return compile_failure(outcome, compile_limits(), messages);
 }
@@ -83,8 +84,8 @@ CompileResult read_includes(const Sandbox& sandbox, const BuildKit& kit, const f
                             const CompileOptions& options) {
   Limits limits = compile_limits();
   limits.kept_bytes = limits.printed_bytes;  // all names are needed, so nothing is cut off
-  const RunOutcome outcome =
-      sandbox.compile(preprocessor_command(kit, options, build), build, {kit.include}, limits);
+  const RunOutcome outcome = sandbox.compile(preprocessor_command(kit, options, build), build,
+                                             {kit.include}, limits, kit.view);
   std::error_code error;
   fs::remove(build / kPreprocessed, error);
   CompileResult read;

@@ -29,17 +29,18 @@ AllCases cases_of(const Lab& lab) {
 }
 
 GradedSubmission ungraded_submission(const Lab& lab, const AllCases& cases,
-                                     const std::string& outcome) {
+                                     const std::string& outcome, bool hidden) {
   GradedSubmission graded;
   std::vector<CheckResult> checks;
   for (std::size_t i = 0; i < lab.checks.size(); ++i) {
+    if (lab.checks[i].hidden && !hidden) continue;
     const std::size_t count = cases[i].size();
     checks.push_back(
         not_built_check(lab.checks[i], count, points_of_case(lab, lab.checks[i], count)));
   }
-  graded.result = sum_up(lab, std::move(checks));
   graded.outcome = outcome;
-  graded.check_outcomes.assign(lab.checks.size(), outcome);
+  graded.check_outcomes.assign(checks.size(), outcome);
+  graded.result = sum_up(lab, std::move(checks));
   return graded;
 }
 
@@ -128,8 +129,8 @@ private:
 
 }  // namespace
 
-GradedSubmission ungraded_submission(const Lab& lab, const std::string& outcome) {
-  return ungraded_submission(lab, cases_of(lab), outcome);
+GradedSubmission ungraded_submission(const Lab& lab, const std::string& outcome, bool hidden) {
+  return ungraded_submission(lab, cases_of(lab), outcome, hidden);
 }
 
 std::string check_outcome(const CheckResult& check, const std::vector<RunOutcome>& processes) {
@@ -165,8 +166,8 @@ GradedSubmission grade(const GradeRequest& request, const Result<std::string>& s
   const AllCases cases = cases_of(request.lab);
   if (!submission) {
     const bool missing = submission.error().cause.starts_with("is missing");
-    GradedSubmission graded =
-        ungraded_submission(request.lab, cases, missing ? "missing file" : "file refused");
+    GradedSubmission graded = ungraded_submission(
+        request.lab, cases, missing ? "missing file" : "file refused", request.hidden);
     graded.messages = submission.error().message();
     return graded;
   }
@@ -174,7 +175,7 @@ GradedSubmission grade(const GradeRequest& request, const Result<std::string>& s
   CompileResult compiled =
       compile_submission(*submission, sandbox, request.kit, request.build, request.compile_options);
   const auto not_built = [&](const std::string& outcome) {
-    GradedSubmission graded = ungraded_submission(request.lab, cases, outcome);
+    GradedSubmission graded = ungraded_submission(request.lab, cases, outcome, request.hidden);
     graded.messages = graded.result.not_built = compiled.messages;
     return graded;
   };

@@ -30,13 +30,15 @@ struct GradeRequest {
   std::filesystem::path build;  // an empty directory for this submission alone
   Limits limits = {};
   double total_seconds = 0;  // for all checks together; 0: no limit
-  bool hidden = true;        // whether hidden checks are run too
+  bool hidden = true;        // whether hidden checks are run too; if not, the result has none
   std::size_t max_parallel_checks = 1;
   CompileOptions compile_options = {};
 };
 
-// The result of a lab that has not been graded: no points, and `outcome` for every check.
-GradedSubmission ungraded_submission(const Lab& lab, const std::string& outcome);
+// The result of a lab that has not been graded: no points, and `outcome` for every check; without
+// `hidden` it has the visible checks only.
+GradedSubmission ungraded_submission(const Lab& lab, const std::string& outcome,
+                                     bool hidden = true);
 
 // Compiles the submission and runs every check in its own process. `submission` is the text, or the
 // reason why there is none. An error in a submission is a result, not an error of this function. A

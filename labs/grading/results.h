@@ -30,8 +30,8 @@ nlohmann::ordered_json unfinished_json();
 // The sum of the points in results.json.
 double total_of(const nlohmann::ordered_json& results);
 
-// The report for GitHub Classroom, made from results.json: hidden checks count, but only their
-// names are shown.
+// The report for GitHub Classroom, made from results.json. All hidden checks together are one test,
+// which has their points and none of their names: whoever reads a repository reads this report.
 nlohmann::ordered_json classroom_json(const nlohmann::ordered_json& results);
 
 // The JSON as text; bytes that are not valid UTF-8 are replaced.

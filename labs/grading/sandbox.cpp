@@ -170,8 +170,8 @@ std::string Sandbox::description() const {
       break;
     case Confinement::kLimits:
       text =
-          "no rules for files: while a submission is compiled, it can read every file that the "
-          "user can read";
+          "no rules of the kernel for files: a library hides all files but the compiler's own from "
+          "the compiler";
       break;
   }
   text += runner_filter_.empty() ? ", no system-call filter" : ", a system-call filter";
@@ -240,8 +240,21 @@ RunOutcome Sandbox::launch_confined(const std::vector<std::string>& command,
 }
 
 RunOutcome Sandbox::compile(const std::vector<std::string>& command, const fs::path& build,
-                            const std::vector<fs::path>& readable, const Limits& limits) const {
-  return launch_confined(command, build, true, readable, plain_environment(build.string()), limits);
+                            const std::vector<fs::path>& readable, const Limits& limits,
+                            const fs::path& view) const {
+  std::vector<std::string> environment = plain_environment(build.string());
+  if (confinement_ == Confinement::kLimits && !view.empty()) {
+    std::string seen = "/dev";
+    const std::vector<fs::path> own{build};
+    for (const auto* places : {&compiler_files(), &traditional_directories(), &readable, &own}) {
+      std::error_code error;
+      for (const fs::path& place : *places)
+        seen += ":" + fs::weakly_canonical(place, error).string();
+    }
+    environment.push_back("LD_PRELOAD=" + view.string());
+    environment.push_back("GLASSBOX_COMPILER_SEES=" + seen);
+  }
+  return launch_confined(command, build, true, readable, environment, limits);
 }
 
 RunOutcome Sandbox::run_sanitized(const fs::path& program,

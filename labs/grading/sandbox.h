@@ -22,7 +22,8 @@ enum class Confinement {
   kBubblewrap,  // namespaces: no other process, no network and only named files are visible
   // only named files can be opened; the system-call filter blocks network and other processes
   kLandlock,
-  kLimits,  // the system-call filter only; a compiler can read every file that its user can read
+  // the system-call filter only; the kernel lets a compiler read every file that its user can read
+  kLimits,
 };
 
 constexpr std::string_view name_of(Confinement confinement) {
@@ -46,10 +47,11 @@ public:
   bool give_to_sandbox_user(const std::filesystem::path& path) const;
 
   // Runs a compiler in the directory `build`, which it may write to. Apart from that it sees only
-  // the system's compiler files and `readable`.
+  // the system's compiler files and `readable`. Where the confinement hides no files, the library
+  // `view` (BuildKit::view) does so, unless it is empty.
   RunOutcome compile(const std::vector<std::string>& command, const std::filesystem::path& build,
-                     const std::vector<std::filesystem::path>& readable,
-                     const Limits& limits) const;
+                     const std::vector<std::filesystem::path>& readable, const Limits& limits,
+                     const std::filesystem::path& view = {}) const;
   // Whether a compiler may read the file: the rule that compile() enforces where the machine can do
   // so. On other machines the caller checks afterwards which files were read.
   static bool compiler_may_read(const std::filesystem::path& file,

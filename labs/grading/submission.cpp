@@ -12,6 +12,9 @@
 #include <fmt/format.h>
 
 #include "labs/grading/archive.h"
+#include "labs/grading/choose_file.h"
+
+#include <glassbox/base/ascii_case.h>
 
 namespace glassbox::labs::grading {
 
@@ -23,21 +26,19 @@ auto refused(const fs::path& path, const std::string& cause) {
   return fail(path.filename().string(), cause, "hand in student.cpp itself, as an ordinary file");
 }
 
-bool is_there(const fs::path& path) {
-  std::error_code error;
-  return fs::symlink_status(path, error).type() != fs::file_type::not_found && !error;
-}
-
 // The entries of a folder, by name, without those that operating systems add.
 std::vector<fs::path> entries_of(const fs::path& folder, std::error_code& error) {
   std::vector<fs::path> found;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    if (!name.starts_with('.') && name != "__MACOSX") found.push_back(entry->path());
+    if (!is_ignored(entry->path().filename())) found.push_back(entry->path());
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+bool is_source(const fs::path& file) {
+  return lower_case(file.extension().string()) == ".cpp";
 }
 
 fs::file_type type_of(const fs::path& path) {
@@ -52,17 +53,42 @@ std::vector<fs::path> folders_in(const fs::path& folder, std::error_code& error)
   return found;
 }
 
-// Some of the files below a folder, to be named in a message.
-std::vector<fs::path> files_below(const fs::path& folder) {
-  constexpr std::size_t kMost = 100;
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (fs::recursive_directory_iterator at(folder, error), end;
-       !error && at != end && files.size() < kMost; at.increment(error)) {
-    std::error_code ignored;
-    if (at->is_regular_file(ignored)) files.push_back(at->path().lexically_relative(folder));
+// What a folder has, by paths within it.
+struct FolderContents {
+  std::vector<fs::path> wanted;    // what has the wanted name and is no folder
+  std::vector<fs::path> archives;  // ordinary files
+  std::vector<fs::path> others;    // some of the other files, to be named in a message
+};
+
+// Reads a folder level by level and each level by name, so that what is found does not depend on
+// the file system where the folder has more than kMaxEntries entries. Links are not followed.
+FolderContents contents_of(const fs::path& folder, const std::string& name) {
+  constexpr std::size_t kMostOthers = 100;
+  FolderContents found;
+  std::size_t entries = 0;
+  std::vector<fs::path> level{fs::path()};
+  while (!level.empty()) {
+    std::vector<fs::path> next;
+    for (const fs::path& each : level) {
+      std::error_code error;
+      for (const fs::path& place : entries_of(folder / each, error)) {
+        if (++entries > kMaxEntries) return found;
+        const fs::path path = each / place.filename();
+        const fs::file_type type = type_of(place);
+        if (type == fs::file_type::directory) {
+          next.push_back(path);
+        } else if (has_wanted_name(path, name)) {
+          found.wanted.push_back(path);
+        } else if (type == fs::file_type::regular && is_archive(path)) {
+          found.archives.push_back(path);
+        } else if (found.others.size() < kMostOthers) {
+          found.others.push_back(path);
+        }
+      }
+    }
+    level = std::move(next);
   }
-  return files;
+  return found;
 }
 
 // Opens the file once and checks the open file, so that nobody can replace it between the check and
@@ -90,13 +116,32 @@ Result<std::string> read_ordinary(const fs::path& path) {
   return text;
 }
 
-// The archive in a folder that has exactly one.
-std::optional<fs::path> only_archive(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> found = entries_of(folder, error);
-  std::erase_if(found, [](const fs::path& path) { return !is_archive(path); });
-  if (found.size() != 1) return std::nullopt;
-  return found[0];
+Result<SubmittedFile> read_from_folder(const fs::path& folder, const std::string& name) {
+  FolderContents contents = contents_of(folder, name);
+  if (!contents.wanted.empty()) {
+    const auto taken = std::min_element(
+        contents.wanted.begin(), contents.wanted.end(),
+        [&](const fs::path& a, const fs::path& b) { return is_taken_before(a, b, name); });
+    const fs::path path = *taken;
+    auto text = read_ordinary(folder / path);
+    if (!text) return tl::unexpected(text.error());
+    contents.wanted.erase(taken);
+    return SubmittedFile{std::move(*text), note_of_choice(path, contents.wanted, name)};
+  }
+  std::sort(contents.archives.begin(), contents.archives.end(), is_archive_taken_before);
+  std::optional<Error> refusal;  // of the first archive that was not read
+  for (const fs::path& archive : contents.archives) {
+    auto read = read_from_archive(folder / archive, name);
+    if (read) {
+      std::erase(contents.archives, fs::path(archive));
+      if (!contents.archives.empty())
+        read->note = note_of_choice(archive, contents.archives, name) + read->note;
+      return read;
+    }
+    if (!refusal) refusal = read.error();
+  }
+  if (refusal) return tl::unexpected(*refusal);
+  return missing_file_error(name, contents.others);
 }
 
 }  // namespace
@@ -109,31 +154,26 @@ tl::unexpected<Error> missing_file_error(const std::string& name, std::vector<fs
     names += (i == 0 ? "" : ", ") + found[i].generic_string();
   if (found.size() > kNamed) names += ", ...";
   return fail(name, fmt::format("is missing; there is {}", found.empty() ? "no file" : names),
-              "hand in " + name + ", at the top level of the submission");
+              "hand in " + name + ", in any folder of the submission");
 }
 
 Result<std::string> read_source(const fs::path& path) {
   return read_ordinary(path);
 }
 
-Result<std::string> read_submitted_file(const fs::path& submission, const std::string& name) {
+Result<SubmittedFile> read_submitted_file(const fs::path& submission, const std::string& name) {
   const fs::file_type type = type_of(submission);
   if (type == fs::file_type::symlink) return refused(submission, "is a link");
+  if (type == fs::file_type::directory) return read_from_folder(submission, name);
   if (type == fs::file_type::regular && is_archive(submission))
     return read_from_archive(submission, name);
-  if (type != fs::file_type::directory) {
-    if (name == "student.cpp") return read_ordinary(submission);
-    return missing_file_error(name, {submission.filename()});
-  }
-  if (is_there(submission / name)) return read_ordinary(submission / name);
-  std::error_code error;
-  const std::vector<fs::path> inner = folders_in(submission, error);
-  if (inner.size() == 1 && is_there(inner[0] / name)) return read_ordinary(inner[0] / name);
-  if (const auto archive = only_archive(submission)) return read_from_archive(*archive, name);
-  return missing_file_error(name, files_below(submission));
+  if (name != "student.cpp") return missing_file_error(name, {submission.filename()});
+  auto text = read_ordinary(submission);
+  if (!text) return tl::unexpected(text.error());
+  return SubmittedFile{std::move(*text), {}};
 }
 
-Result<std::string> read_submission(const fs::path& submission) {
+Result<SubmittedFile> read_submission(const fs::path& submission) {
   return read_submitted_file(submission, "student.cpp");
 }
 
@@ -143,7 +183,7 @@ std::string submission_name(const fs::path& path) {
   fs::path place = fs::absolute(path, error).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();
   if (fs::is_directory(place, error)) return place.filename().string();
-  if (!is_archive(place) && place.extension() != ".cpp") return place.filename().string();
+  if (!is_archive(place) && !is_source(place)) return place.filename().string();
   std::string stem = place.stem().string();
   if (is_archive(place) && stem.ends_with(".tar")) stem.erase(stem.size() - 4);
   return stem;
@@ -166,43 +206,40 @@ Result<ClassFolder> list_submissions(const fs::path& folder) {
     const auto same = std::find_if(found.submissions.begin(), found.submissions.end(),
                                    [&](const Submission& each) { return each.name == name; });
     if (same == found.submissions.end()) {
-      found.submissions.push_back({name, path});
+      found.submissions.push_back({name, path, {}});
     } else {
-      found.skipped.push_back(fmt::format("{}: another submission, {}, has the same name",
-                                          path.filename().string(),
-                                          same->path.filename().string()));
+      same->also.push_back(path.filename().string());
     }
   };
-  // Folders are listed first, so that an archive beside the folder that it was unpacked to is not
-  // taken as a second submission.
-  for (const fs::path& path : entries) {
-    if (fs::is_directory(path, error)) add(path.filename().string(), path);
+  // A folder comes first, because an archive beside it is often what it was unpacked from.
+  const auto kind_of = [&](const fs::path& path) {
+    return fs::is_directory(path, error) ? 0 : is_archive(path) ? 1 : is_source(path) ? 2 : 3;
+  };
+  for (int kind = 0; kind < 3; ++kind) {
+    for (const fs::path& path : entries) {
+      if (kind_of(path) == kind) add(submission_name(path), path);
+    }
   }
   for (const fs::path& path : entries) {
-    const std::string name = path.filename().string();
-    if (fs::is_directory(path, error)) continue;
-    if (is_archive(path)) {
-      add(submission_name(path), path);
-    } else if (path.extension() == ".cpp") {
-      add(submission_name(path), path);
-    } else {
-      found.skipped.push_back(name + ": is neither a folder nor an archive nor a .cpp file");
-    }
+    if (kind_of(path) == 3)
+      found.skipped.push_back(path.filename().string() +
+                              ": is neither a folder nor an archive nor a .cpp file");
   }
   std::sort(found.submissions.begin(), found.submissions.end(),
             [](const Submission& a, const Submission& b) { return a.name < b.name; });
-  if (found.submissions.empty()) {
-    return fail(folder.string(), "holds no submission",
-                "put each submission's student.cpp into a folder of its own in it");
-  }
   return found;
+}
+
+tl::unexpected<Error> no_submission_error(const fs::path& folder) {
+  return fail(folder.string(), "holds no submission",
+              "put each submission's student.cpp into a folder of its own in it");
 }
 
 Result<std::vector<std::string>> list_folders(const fs::path& folder) {
   std::error_code error;
   const std::vector<fs::path> folders = folders_in(folder, error);
-  if (error || folders.empty()) {
-    return fail(folder.string(), error ? error.message() : "holds no folder",
+  if (error) {
+    return fail(folder.string(), error.message(),
                 "name the folder that `lab grade` wrote, with one folder for each submission");
   }
   std::vector<std::string> names;

@@ -12,20 +12,26 @@ namespace glassbox::labs::grading {
 // The size of the largest source that is accepted, in bytes; a solution has some 10 KiB.
 inline constexpr std::size_t kLargestSource = std::size_t(1) << 20;
 
-// The text of student.cpp. In a folder it is at the top, in the only folder in it (as after
-// unpacking an archive) or in the only archive in it (as Moodle leaves it); it may also be in an
-// archive (archive.h), or be a file NAME.cpp itself. Links are not followed, and anything that is
-// no regular file or is larger than kLargestSource is refused: a link to the solution is no
+struct SubmittedFile {
+  std::string text;
+  // For the student: which file was taken, if another one could have been meant; else empty.
+  std::string note;
+};
+
+// student.cpp of a submission: a folder or an archive (archive.h) that has it at any depth, a folder
+// with such an archive in it (as Moodle leaves it), or a file NAME.cpp itself. choose_file.h says
+// what may be its name, and which one is taken of several. Links are not followed, and anything
+// that is no regular file or is larger than kLargestSource is refused: a link to the solution is no
 // submission, and reading a pipe might never end. If the file is missing, the error names the files
 // that were found.
-Result<std::string> read_submission(const std::filesystem::path& submission);
+Result<SubmittedFile> read_submission(const std::filesystem::path& submission);
 
 // The text of a source file at this path: an ordinary file, no larger than kLargestSource.
 Result<std::string> read_source(const std::filesystem::path& path);
 
-// The text of the file `name`, found and refused by the rules of read_submission().
-Result<std::string> read_submitted_file(const std::filesystem::path& submission,
-                                        const std::string& name);
+// The file `name`, found and refused by the rules of read_submission().
+Result<SubmittedFile> read_submitted_file(const std::filesystem::path& submission,
+                                          const std::string& name);
 
 // The error for a submission without the file; `found` are the files that it has.
 tl::unexpected<Error> missing_file_error(const std::string& name,
@@ -42,10 +48,13 @@ inline constexpr const char* kPageOfClass = "index.html";
 struct Submission {
   std::string name;  // the student's name in the results
   std::filesystem::path path;
+  // Other files of this name, which are not graded: archives and sources beside a folder, sources
+  // beside an archive.
+  std::vector<std::string> also;
 };
 
 struct ClassFolder {
-  std::vector<Submission> submissions;  // by name
+  std::vector<Submission> submissions;  // by name; there may be none
   std::vector<std::string> skipped;     // entries that are no submission, each with the reason
 };
 
@@ -53,7 +62,10 @@ struct ClassFolder {
 // skipped), archive and .cpp file. Names that begin with a dot are ignored.
 Result<ClassFolder> list_submissions(const std::filesystem::path& folder);
 
-// The folders in a folder, by name, except those whose name begins with a dot.
+// The error for a folder without a submission.
+tl::unexpected<Error> no_submission_error(const std::filesystem::path& folder);
+
+// The folders in a folder, by name, except those whose name begins with a dot. There may be none.
 Result<std::vector<std::string>> list_folders(const std::filesystem::path& folder);
 
 }  // namespace glassbox::labs::grading

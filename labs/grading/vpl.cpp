@@ -17,8 +17,12 @@ constexpr const char* kReadme = R"(Lab {0}, {1}, for Moodle's Virtual Programmin
 3. Execution options: run and evaluate yes, automatic grade yes.
 
 "Evaluate" grades the visible checks and gives their points, scaled to the activity's grade. It
-does not run the hidden checks, because the grade would reveal them: download the submissions
-afterwards, and run `glassbox lab grade FOLDER --lab {0} -o results`.
+does not run the hidden checks (--visible), because the grade would reveal them, and no file that it
+leaves in the student's folder names one: download the submissions afterwards, and run
+`glassbox lab grade FOLDER --lab {0} -o results`.
+
+The glassbox on the jail server has the solutions and the hidden checks. Students' code runs in its
+sandbox, which reads none of them. Give students no other activity with a terminal on this server.
 )";
 
 // A script for Moodle's Virtual Programming Lab (VPL). VPL runs the script, which writes the
@@ -35,8 +39,8 @@ std::string script_that_leaves(const std::string& what, const std::string& comma
 std::string vpl_run_script(int lab) {
   return script_that_leaves(
       "Shows what is right so far.",
-      fmt::format("glassbox lab grade . --one --lab {} -o results.json --vpl report.txt >/dev/null "
-                  "2>grading.log || cat grading.log\n"
+      fmt::format("glassbox lab grade . --one --visible --lab {} -o results.json --vpl report.txt "
+                  ">/dev/null 2>grading.log || cat grading.log\n"
                   "grep -v '^<|--$\\|^--|>$\\|^Grade :=>>' report.txt | sed 's/^[->]//'\n",
                   lab));
 }
@@ -45,8 +49,8 @@ std::string vpl_evaluate_script(int lab) {
   return script_that_leaves(
       "Prints a comment for each visible check, and their points as the grade.",
       fmt::format("export VPL_GRADEMAX\n"
-                  "glassbox lab grade . --one --lab {} -o results.json --vpl report.txt >/dev/null "
-                  "2>grading.log || cat grading.log\n"
+                  "glassbox lab grade . --one --visible --lab {} -o results.json --vpl report.txt "
+                  ">/dev/null 2>grading.log || cat grading.log\n"
                   "cat report.txt\n",
                   lab));
 }

@@ -82,9 +82,17 @@ void compare(const ClaimedPoint& claimed, const ClaimedPoint& measured,
 
 }  // namespace
 
-Claim claim_of(const std::string& lab, const std::string& code, const study::Origin& origin,
-               const study::ExperimentResult& result, const std::vector<std::string>& series) {
-  Claim claim{lab, code, result.id, origin.machine, origin.version, {}};
+std::string owner_text(const Claim& claim) {
+  return fmt::format("{} (student.cpp with the digest {}), on {}",
+                     claim.submission.empty() ? "a submission without a name" : claim.submission,
+                     claim.code,
+                     claim.machine.empty() ? "a machine without a name" : claim.machine);
+}
+
+Claim claim_of(const std::string& lab, const std::string& submission, const std::string& code,
+               const study::Origin& origin, const study::ExperimentResult& result,
+               const std::vector<std::string>& series) {
+  Claim claim{lab, submission, code, result.id, origin.machine, origin.version, {}};
   for (const auto& each : result.configurations) {
     const study::Timing* const mine = study::timing_of(each, 1);
     if (!is_one_of(each.series, series) || mine == nullptr) continue;
@@ -117,8 +125,10 @@ Json claim_json(const Claim& claim) {
     point["slower_than"] = each.slower_than;
     points.push_back(std::move(point));
   }
-  return {{"lab", claim.lab},         {"code", claim.code},       {"experiment", claim.experiment},
-          {"machine", claim.machine}, {"version", claim.version}, {"points", std::move(points)}};
+  return {{"lab", claim.lab},           {"submission", claim.submission},
+          {"code", claim.code},         {"experiment", claim.experiment},
+          {"machine", claim.machine},   {"version", claim.version},
+          {"points", std::move(points)}};
 }
 
 Result<Claim> read_claim(const std::string& path, const std::string& text) {
@@ -130,6 +140,7 @@ Result<Claim> read_claim(const std::string& path, const std::string& text) {
   if (!json.is_object()) return refused("is not a JSON object");
   try {
     Claim claim{field(json, "lab").get<std::string>(),
+                json.value("submission", ""),
                 field(json, "code").get<std::string>(),
                 field(json, "experiment").get<std::string>(),
                 json.value("machine", ""),

@@ -26,6 +26,7 @@ struct ClaimedPoint {
 
 struct Claim {
   std::string lab;         // "06-rasterisation"
+  std::string submission;  // whose times they are: the name of the measured folder
   std::string code;        // the digest of student.cpp
   std::string experiment;  // "D-3"
   std::string machine, version;
@@ -34,8 +35,12 @@ struct Claim {
 
 // Makes a claim from the result of an experiment. Its points are those of the student's `series` in
 // the result.
-Claim claim_of(const std::string& lab, const std::string& code, const study::Origin& origin,
-               const study::ExperimentResult& result, const std::vector<std::string>& series);
+Claim claim_of(const std::string& lab, const std::string& submission, const std::string& code,
+               const study::Origin& origin, const study::ExperimentResult& result,
+               const std::vector<std::string>& series);
+
+// Whose times a claim has: the submission, the digest of its student.cpp, and the machine.
+std::string owner_text(const Claim& claim);
 
 nlohmann::ordered_json claim_json(const Claim& claim);
 // Reads a claim from the file's contents. An error says what is missing in it.

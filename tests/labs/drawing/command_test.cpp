@@ -150,6 +150,68 @@ TEST_CASE("a submission without lab.json is drawn, and checked, as of the lab th
         1);
 }
 
+TEST_CASE("a folder that is drawn brings no program of its own") {
+  const Folder folder;
+  folder.write("+ 0.5)", "+ 0.5)");
+  const auto render = [&](const std::string& name) {
+    return test::run_program(
+        "/usr/bin/env",
+        {"XDG_CACHE_HOME=" + (folder.path() / "cache").string(), GLASSBOX_PROGRAM, "lab", "render",
+         name, "cube", "--size", "48x32", "-o", "a.png"},
+        folder.path().string());
+  };
+  REQUIRE(render("mine").exit_code == 0);
+  CHECK_FALSE(fs::exists(folder.path() / "mine/build"));
+  // What is kept for a folder that was not drawn for a month is removed, and nothing else is.
+  const fs::path labs = folder.path() / "cache/glassbox/labs";
+  for (const char* name : {"recent", "old"}) fs::create_directories(labs / name);
+  fs::last_write_time(labs / "old", fs::file_time_type::clock::now() - std::chrono::hours(24 * 31));
+  REQUIRE(render("mine").exit_code == 0);
+  CHECK(fs::exists(labs / "recent"));
+  CHECK_FALSE(fs::exists(labs / "old"));
+  fs::remove(labs / "recent");
+  // A wrong student.cpp brings the program of the right one, with everything that would say that it
+  // has been made from this student.cpp.
+  fs::path kept;
+  for (const auto& entry : fs::directory_iterator(folder.path() / "cache/glassbox/labs"))
+    kept = entry.path() / "drawing";
+  const fs::path brought = folder.path() / "ann/build/check/drawing";
+  fs::create_directories(brought.parent_path());
+  fs::copy(kept, brought, fs::copy_options::recursive);
+  fs::copy_file(folder.path() / "mine/lab.json", folder.path() / "ann/lab.json");
+  folder.write("+ 0.5)", "+ 0.5) + (pixels > 24 ? 9 : 0)");
+  fs::copy_file(folder.path() / "mine/student.cpp", folder.path() / "ann/student.cpp");
+  std::ofstream(brought / "student-key")
+      << read_text_file(kept / "key").value()
+      << read_text_file(folder.path() / "ann/student.cpp").value();
+  const auto drawn = render("ann");
+  CAPTURE(drawn.out, drawn.err);
+  CHECK(drawn.exit_code == 1);
+  CHECK(has(drawn.out, "stage snap (snap)"));
+}
+
+TEST_CASE("without a home directory nobody else's cache is used") {
+  const Folder folder;
+  folder.write("+ 0.5)", "+ 0.5)");
+  const fs::path place = folder.path() / "tmp";
+  fs::create_directories(place);
+  const auto draw = [&] {
+    return test::run_program(
+        "/usr/bin/env",
+        {"-u", "XDG_CACHE_HOME", "-u", "HOME", "TMPDIR=" + place.string(), GLASSBOX_PROGRAM, "lab",
+         "render", "mine", "cube", "--size", "48x32", "-o", "a.png"},
+        folder.path().string());
+  };
+  const fs::path cache = place / fmt::format("glassbox-{}", getuid());
+  fs::create_directory_symlink(folder.path(), cache);
+  const auto refused = draw();
+  CHECK(refused.exit_code == 2);
+  CHECK(has(refused.err, "is not a directory that only you can write to"));
+  CHECK(has(refused.err, "set HOME or XDG_CACHE_HOME"));
+  fs::remove(cache);
+  CHECK(draw().exit_code == 0);
+}
+
 TEST_CASE(
     "the page of a lab that makes a picture of its own opens with it, beside the reference's") {
   const Folder folder("11", "11-matching");

@@ -155,7 +155,7 @@ Claim small_claim(double yours, double ns) {
   study::ExperimentResult result;
   result.id = "D-4";
   result.configurations = {timed("slow", 0, 100), timed("quick", 1, 10), timed("yours", yours, ns)};
-  return claim_of("08-attributes", "c0de", {}, result, {"yours"});
+  return claim_of("08-attributes", "ann", "c0de", {}, result, {"yours"});
 }
 
 }  // namespace
@@ -352,6 +352,11 @@ TEST_CASE(
   CHECK(page.find("clip space, against the box") != std::string::npos);
   const std::string claim = read_text_file(folder / "measured.json").value();
   CHECK(claim.size() < 4096);
+  // It says whose times they are.
+  const auto owner = nlohmann::json::parse(claim);
+  CHECK(owner["submission"] == "ann");
+  CHECK(owner["code"].get<std::string>().size() >= 16);
+  CHECK_FALSE(owner["machine"].get<std::string>().empty());
   CHECK_FALSE(fs::exists(folder / "ann/build"));
 
   std::string text = claim;
@@ -363,6 +368,8 @@ TEST_CASE(
   CAPTURE(wrong.out, wrong.err);
   CHECK(wrong.exit_code == 1);
   CHECK(wrong.out.find("the measured error is 0, not 0.5") != std::string::npos);
+  CHECK(wrong.out.find("better.json: the times of ann (student.cpp with the digest") !=
+        std::string::npos);
   // With JSON on standard output, nothing else is printed there.
   const auto both = run({"--against", "better.json", "--json", "-"});
   CHECK(both.exit_code == 1);

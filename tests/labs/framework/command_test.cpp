@@ -2,6 +2,8 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -158,6 +160,34 @@ TEST_CASE("the editor's task builds a started folder with what there is") {
         test::run_program("/usr/bin/env", {"PATH=" + bin.string(), "/bin/sh", "-c", line}, "/");
     CHECK(outcome.out == "--preset " + program + "\n--build build\n");
   }
+}
+
+TEST_CASE("the editor's tasks check a started folder, and draw with it where the lab draws") {
+  const CommandDirectory directory;
+  REQUIRE(directory.run({"lab", "start", "6", "mine"}).exit_code == 0);
+  const auto tasks =
+      nlohmann::json::parse(read_text_file(directory.path / "mine/.vscode/tasks.json").value());
+  std::map<std::string, std::string> commands;
+  for (const auto& task : tasks["tasks"]) commands[task["label"]] = task["command"];
+  CHECK(commands.size() == 3);
+  CHECK(commands.at("check") == "glassbox lab check .");
+  std::string line = commands.at("render");
+  const std::string mark = "${input:scene}";
+  REQUIRE(line.find(mark) != std::string::npos);
+  REQUIRE(tasks["inputs"][0]["id"] == "scene");
+  const std::string scene = tasks["inputs"][0]["default"];
+  line.replace(line.find(mark), mark.size(), scene);
+  // The command as the editor starts it, with this program.
+  fs::create_directories(directory.path / "bin");
+  fs::create_symlink(GLASSBOX_PROGRAM, directory.path / "bin/glassbox");
+  const auto drawn = test::run_program(
+      "/usr/bin/env",
+      {"PATH=" + (directory.path / "bin").string() + ":/usr/bin:/bin", "/bin/sh", "-c", line},
+      (directory.path / "mine").string());
+  INFO(drawn.out << drawn.err);
+  // Nothing is written yet, and the picture says so.
+  CHECK(drawn.exit_code == 1);
+  CHECK(fs::exists(directory.path / "mine/picture.png"));
 }
 
 TEST_CASE("lab start writes over nobody's work") {

@@ -33,8 +33,9 @@ Outcome run_autograder(const fs::path& root) {
                      root.string());
 }
 
-std::vector<labs::ZipEntry> archive() {
-  const auto files = autograder_files(tiny_labs()[0], GLASSBOX_SOURCE_DIR, {"--time-limit 2"});
+std::vector<labs::ZipEntry> archive(bool vary = false) {
+  const auto files =
+      autograder_files(tiny_labs()[0], GLASSBOX_SOURCE_DIR, {"--time-limit 2"}, vary);
   REQUIRE(files);
   const auto bytes = labs::make_zip(*files);
   REQUIRE(bytes);
@@ -91,6 +92,54 @@ TEST_CASE("run_autograder grades /autograder/submission into /autograder/results
   REQUIRE(results.is_object());
   CHECK(total(results) == 4);
   CHECK(results.at("tests").size() == 3);
+}
+
+TEST_CASE("submitters have one name in any order: their ids, or their emails") {
+  const TestDirectory directory;
+  const auto name_in = [&](const std::string& text) {
+    write(directory.path / "m.json", text);
+    const auto name = read_submitters(directory.path / "m.json");
+    return name ? *name : "refused: " + name.error().message();
+  };
+  CHECK(name_in(R"({"users": [{"email": "ann@x.org", "id": 12, "name": "Ann"}]})") == "12");
+  CHECK(name_in(R"({"users": [{"id": 7}, {"id": 12}]})") == "12+7");
+  CHECK(name_in(R"({"users": [{"id": 12}, {"id": 7}]})") == "12+7");
+  CHECK(name_in(R"({"users": [{"email": "bob@x.org"}, {"email": "ann@x.org"}]})") ==
+        "ann@x.org+bob@x.org");
+  for (const char* bad : {"", "[]", "{}", R"({"users": []})", R"({"users": 3})",
+                          R"({"users": [{"name": "Ann"}]})", R"({"users": ["ann"]})"}) {
+    const std::string said = name_in(bad);
+    INFO(bad << ": " << said);
+    CHECK(said.starts_with("refused: "));
+    CHECK(said.find("m.json") != std::string::npos);
+    CHECK(said.find("--name") != std::string::npos);
+  }
+}
+
+TEST_CASE("with --vary run_autograder gives each student's submission its own hidden inputs") {
+  const TestDirectory directory;
+  unpack(directory.path, archive(true));
+  fs::create_symlink(TINY_GRADER, directory.path / "source/bin/glassbox");
+  // It is right for the lab's own inputs only, so the hidden check shows one of the others.
+  write(directory.path / "submission/student.cpp",
+        submission("return 2 * x;",
+                   "const double own[] = {1, -3, 0.5, -5, -0.2, 0.015625, 64, 8, 0.125};"
+                   "for (double y : own) if (x == y) return 1 / x;"
+                   "return 0;"));
+  const auto hidden = [&](const std::string& metadata) {
+    fs::remove(directory.path / "submission_metadata.json");
+    if (!metadata.empty()) write(directory.path / "submission_metadata.json", metadata);
+    const Outcome outcome = run_autograder(directory.path);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    CHECK((outcome.err.find("get the same hidden inputs") != std::string::npos) ==
+          metadata.empty());
+    return read_json(directory.path / "results/results.json").at("tests")[2].dump();
+  };
+  const std::string ann = hidden(R"({"id": 1, "users": [{"id": 12, "email": "ann@x.org"}]})");
+  CHECK(hidden(R"({"id": 2, "users": [{"id": 12, "email": "ann@x.org"}]})") == ann);
+  CHECK(hidden(R"({"id": 3, "users": [{"id": 13, "email": "bob@x.org"}]})") != ann);
+  CHECK(hidden("") != ann);
 }
 
 TEST_CASE("run_autograder leaves a valid results.json where the program cannot even start") {

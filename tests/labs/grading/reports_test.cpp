@@ -53,6 +53,39 @@ TEST_CASE("JUnit's XML and Moodle's text have the visible checks and nothing of 
   CHECK(is_in(read(directory.path / "vpl.txt"), "student.cpp:1:9: error:"));
 }
 
+TEST_CASE("with --visible no file of a result has a hidden check, and its points are not counted") {
+  const TestDirectory directory;
+  const std::vector<std::string> words{"grade",   "one",   "--one",       "--lab",
+                                       "99",      "-o",    "r.json",      "--visible",
+                                       "--junit", "j.xml", "--classroom", "c.json"};
+  // The hidden check would find the second one wrong.
+  for (const auto& [text, points] :
+       {std::pair{solution(), 7},
+        {submission("return 2 * x;", "return x == -5 ? 0 : 1 / x;"), 7},
+        {std::string("int x = ;"), 0}}) {
+    write(directory.path / "one/student.cpp", text);
+    const Outcome outcome = grader(words, directory.path);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    const auto results = read_json(directory.path / "r.json");
+    CHECK(total(results) == points);
+    CHECK(results.at("extra_data").at("max_score") == 7);
+    CHECK(results.at("tests").size() == 2);
+    for (const auto& file : fs::directory_iterator(directory.path)) {
+      if (file.is_regular_file()) CHECK_FALSE(is_in(read(file.path()), "undone"));
+    }
+  }
+  // A result of all checks is not reused for one of the visible checks.
+  REQUIRE(
+      grader({"grade", "one", "--one", "--lab", "99", "-o", "r.json"}, directory.path).exit_code ==
+      0);
+  CHECK(read_json(directory.path / "r.json").at("tests").size() == 3);
+  auto again = words;
+  again.push_back("--resume");
+  REQUIRE(grader(again, directory.path).exit_code == 0);
+  CHECK(read_json(directory.path / "r.json").at("tests").size() == 2);
+}
+
 TEST_CASE("no two results of a submission go to one file") {
   const TestDirectory directory;
   write(directory.path / "one/student.cpp", solution());
@@ -90,6 +123,11 @@ TEST_CASE("Moodle's scripts leave a program that grades and writes a grade out o
   INFO(run);
   CHECK(is_in(run, "99.1.1 twice a number: passed\nAll 4 cases are right."));
   CHECK_FALSE(is_in(run, "Grade"));
+  // What the scripts leave where the student's program may look names no hidden check.
+  for (const auto& file : fs::directory_iterator(directory.path)) {
+    if (file.is_regular_file() && file.path().filename() != "student.cpp")
+      CHECK_FALSE(is_in(read(file.path()), "undone"));
+  }
 }
 
 TEST_CASE("an error in a header or of the linker begins with the student's line") {

@@ -45,7 +45,12 @@ TEST_CASE("GitHub Classroom's JSON has what its reporter adds up, and hides what
   REQUIRE(json.at("tests").size() == 3);
   CHECK(json.at("tests")[0].at("status") == "fail");
   CHECK(json.at("tests")[0].at("score") == 0);
-  CHECK(json.at("tests")[2].at("message") == "hidden");
+  const auto& hidden = json.at("tests")[2];
+  CHECK(hidden.at("name") == "hidden checks");
+  CHECK(hidden.at("message") == "hidden");
+  CHECK(hidden.at("max_score") == 3);
+  for (const labs::Check& check : tiny_labs()[0].checks)
+    CHECK((json.dump().find(check.name) == std::string::npos) == check.hidden);
   CHECK(classroom_json(unfinished_json()).at("status") == "error");
 }
 

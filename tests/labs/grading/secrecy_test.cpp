@@ -172,6 +172,39 @@ TEST_CASE("a compiler's message has nothing of a file that is not the lab's") {
   CHECK(own.find("unknown") != std::string::npos);
 }
 
+TEST_CASE("in no sandbox a compiler tells which files are on the machine") {
+  const TestDirectory directory;
+  write(directory.path / "secret", "constexpr int kSecret = 90210;\n");
+  fs::permissions(directory.path / "secret", fs::perms(0644));
+  fs::create_directories(directory.path / "closed");
+  fs::permissions(directory.path / "closed", fs::perms(0700));
+  const std::string there = (directory.path / "secret").string(),
+                    up = "/usr/include/../../" + there.substr(1);
+  std::string asks = "#include \"student.h\"\n#include <cstdio>\n#include <sys/cdefs.h>\n";
+  int i = 0;
+  for (const std::string& path :
+       {"\"" + there + "\"", "<" + there + ">", "\"" + up + "\"", "\"" + there + "/x\"",
+        "\"" + (directory.path / "closed/x").string() + "\"", std::string("\"/etc/passwd\""),
+        std::string("\"/proc/self/status\"")}) {
+    // The word can be put together by a macro of the system, so that no search for it finds it.
+    const std::string word = i % 2 == 0 ? "__has_include" : "__CONCAT(__has, _include)";
+    asks += "#if " + word + "(" + path + ")\n#warning file " + std::to_string(i++) +
+            " is there\n#endif\n";
+  }
+  // What the lab and the system have is there as ever.
+  asks += "#if !__has_include(<vector>) || !__has_include(\"student.h\")\n#error\n#endif\n";
+  asks +=
+      "double twice(double x) { return 2 * x; }\ndouble reciprocal(double x) { return 1 / x; }\n";
+  for (const std::string sandbox : {"limits", ""}) {
+    const auto options = sandbox.empty() ? std::vector<std::string>{}
+                                         : std::vector<std::string>{"--sandbox", sandbox};
+    const auto results = graded(directory, asks, options);
+    INFO(results.dump(2));
+    CHECK(total(results) == 10);
+    CHECK(results.dump().find("is there") == std::string::npos);
+  }
+}
+
 TEST_CASE("a foreign file is found however much is included before it") {
   const TestDirectory directory;
   write(directory.path / "secret", "constexpr int kSecret = 90210;\n");
@@ -189,9 +222,13 @@ TEST_CASE("a foreign file is found however much is included before it") {
   REQUIRE(listed.exit_code == 0);
   CHECK(listed.err.size() > std::size_t(16) << 10);
 
+  // Without the library that hides files from the compiler only this list remains.
+  const fs::path kit = directory.path / "kit";
   const auto in_limits = [&](const std::string& before) {
-    return graded(directory, before + solution(), {"--sandbox", "limits"});
+    return graded(directory, before + solution(), {"--sandbox", "limits", "--kit", kit.string()});
   };
+  CHECK(total(in_limits(many)) == 10);
+  REQUIRE(fs::remove(kit / "compiler-view.so"));
   CHECK(total(in_limits(many)) == 10);
   const auto results =
       in_limits(many + "#include \"" + (directory.path / "secret").string() + "\"\n#error here\n");

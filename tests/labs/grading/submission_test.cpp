@@ -5,6 +5,9 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <algorithm>
+#include <cstdint>
+
 #include "labs/grading/archive.h"
 #include "tests/labs/grading/grading.h"
 #include "tests/support/catch.h"
@@ -45,12 +48,55 @@ void write_archive(const fs::path& file, const std::vector<Entry>& entries) {
   archive_write_free(writer);
 }
 
-std::string message_of(const Result<std::string>& read) {
-  return read ? "read: " + *read : read.error().message();
+std::string message_of(const Result<SubmittedFile>& read) {
+  return read ? "read: " + read->text : read.error().message();
 }
 
 bool has_part(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+void append_number(std::string& bytes, std::uint32_t number, int size) {
+  for (int i = 0; i < size; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
+}
+
+// The check sum of the PNG and RAR formats.
+std::uint32_t crc32(const std::string& bytes) {
+  std::uint32_t crc = ~0u;
+  for (const char byte : bytes) {
+    crc ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0u);
+  }
+  return ~crc;
+}
+
+// A block of a RAR archive: its check sum, then type, flags, size and the rest.
+std::string rar_block(int type, std::uint32_t flags, const std::string& rest) {
+  std::string block;
+  append_number(block, static_cast<std::uint32_t>(type), 1);
+  append_number(block, flags, 2);
+  append_number(block, static_cast<std::uint32_t>(7 + rest.size()), 2);
+  block += rest;
+  std::string sum;
+  append_number(sum, crc32(block) & 0xffff, 2);
+  return sum + block;
+}
+
+// A RAR archive (version 4) with one file, which is stored as it is. No free program writes one.
+std::string rar_of(const std::string& path, const std::string& text) {
+  const auto size = static_cast<std::uint32_t>(text.size());
+  std::string rest;
+  append_number(rest, size, 4);  // packed
+  append_number(rest, size, 4);  // unpacked
+  append_number(rest, 3, 1);     // made on Unix
+  append_number(rest, crc32(text), 4);
+  append_number(rest, 0x56a35b6a, 4);  // a date
+  append_number(rest, 20, 1);          // the version that is needed
+  append_number(rest, 0x30, 1);        // stored
+  append_number(rest, static_cast<std::uint32_t>(path.size()), 2);
+  append_number(rest, 0100644, 4);
+  return std::string("Rar!\x1a\x07\0", 7) + rar_block(0x73, 0, std::string(6, '\0')) +
+         rar_block(0x74, 0x8000, rest + path) + text + rar_block(0x7b, 0x4000, "");
 }
 
 }  // namespace
@@ -69,15 +115,17 @@ TEST_CASE("folders, archives and single files are submissions; the rest is skipp
   fs::create_directories(folder / "gus");
   write_archive(folder / "gus/lab5.zip", {{"student.cpp", solution()}});
   write(folder / "hal/main.cpp", "int main() {}");
+  write_archive(folder / "ida.tar", {{"lab/student.cpp", solution()}});
+  write(folder / "ida.cpp", "int x = ;");
   write(folder / "grades.xlsx", "x");
   write_archive(folder / "class.csv.zip", {{"student.cpp", solution()}});
   write(folder / "index.html/student.cpp", solution());
   const Outcome outcome =
       grader({"grade", "class", "--lab", "99", "-o", "results"}, directory.path);
   INFO(outcome.err);
-  REQUIRE(outcome.exit_code == 0);
+  REQUIRE(outcome.exit_code == 1);  // because something was skipped
   CHECK(has_part(outcome.err, "grades.xlsx: is neither a folder nor an archive nor a .cpp file"));
-  CHECK(has_part(outcome.err, "ann.zip: another submission, ann, has the same name"));
+  CHECK(has_part(outcome.err, "3 entries of class were skipped"));
   CHECK(has_part(outcome.err, "class.csv.zip: this name is needed for a file of the results"));
   CHECK(has_part(outcome.err, "index.html: this name is needed for a file of the results"));
   const auto result = [&](const std::string& name) {
@@ -87,12 +135,125 @@ TEST_CASE("folders, archives and single files are submissions; the rest is skipp
     INFO(name);
     CHECK(total(result(name)) == 10);
   }
+  // Two submissions of one student: the folder is taken, and the student reads so.
+  CHECK(has_part(result("ann").at("output"), "There is also ann.zip, which is not graded"));
+  CHECK(has_part(result("ida").at("output"), "There is also ida.cpp, which is not graded"));
+  CHECK(total(result("ida")) == 10);
   CHECK(result("bob").at("extra_data").at("outcome") == "file refused");
   CHECK(has_part(result("bob").at("output"), "is a link"));
   CHECK(result("fay").at("extra_data").at("outcome") == "file refused");
   CHECK(result("hal").at("extra_data").at("outcome") == "missing file");
   CHECK(has_part(result("hal").at("output"), "there is main.cpp"));
   CHECK(has_part(read(directory.path / "results/class.csv"), "bob,0,10,file refused"));
+}
+
+TEST_CASE(
+    "student.cpp is found at any depth and by its variants, by one rule in folders and archives") {
+  const TestDirectory directory;
+  struct Choice {
+    std::vector<std::string> paths;
+    std::string taken;  // empty: none of them
+    bool is_noted = true;
+  };
+  const std::vector<Choice> choices{
+      {{"student.cpp"}, "student.cpp", false},
+      {{"a/b/c/d/student.cpp", "a/readme.txt"}, "a/b/c/d/student.cpp", false},
+      {{"a/Student.cpp"}, "a/Student.cpp"},
+      {{"STUDENT.CPP"}, "STUDENT.CPP"},
+      {{"student (1).cpp"}, "student (1).cpp"},
+      {{"Student(12).cpp"}, "Student(12).cpp"},
+      {{"student-3.cpp"}, "student-3.cpp"},
+      // in the fewest folders, whatever the name is
+      {{"a/student.cpp", "student (1).cpp"}, "student (1).cpp"},
+      // the exact name, then another case, then the highest number, as a number
+      {{"student (2).cpp", "Student.cpp", "student.cpp"}, "student.cpp"},
+      {{"student (2).cpp", "Student.cpp"}, "Student.cpp"},
+      {{"student (2).cpp", "student (10).cpp", "student (9).cpp"}, "student (10).cpp"},
+      {{"b/student.cpp", "a/student.cpp"}, "a/student.cpp"},
+      // what systems and editors make is not looked at
+      {{"__MACOSX/student.cpp", ".git/student.cpp", "a/student.cpp"}, "a/student.cpp", false},
+      {{"student.cpp/student.cpp"}, "student.cpp/student.cpp", false},
+      {{"mystudent.cpp", "student.cpp.bak", "student (x).cpp", "student 1.cpp", "student.h"}, ""},
+      {{".git/student.cpp"}, ""},
+  };
+  int i = 0;
+  for (const Choice& each : choices) {
+    const std::string name = std::to_string(i++);
+    std::vector<Entry> entries;
+    for (const std::string& path : each.paths) {
+      write(directory.path / name / path, path);
+      entries.push_back({path, path});
+    }
+    // The order in an archive does not matter.
+    write_archive(directory.path / (name + ".zip"), entries);
+    std::reverse(entries.begin(), entries.end());
+    write_archive(directory.path / (name + ".tar"), entries);
+    for (const char* end : {"", ".zip", ".tar"}) {
+      const auto read = read_submission(directory.path / (name + end));
+      INFO(name + end << ": " << message_of(read));
+      if (each.taken.empty()) {
+        CHECK(has_part(message_of(read), "student.cpp: is missing"));
+        continue;
+      }
+      REQUIRE(read);
+      CHECK(read->text == each.taken);
+      CHECK(read->note.empty() != each.is_noted);
+      if (!each.is_noted) continue;
+      CHECK(has_part(read->note, "Graded: " + each.taken + ".\n"));
+      for (const std::string& path : each.paths)
+        CHECK(has_part(read->note, "Graded: " + path) == (path == each.taken));
+    }
+  }
+}
+
+TEST_CASE("of several archives in a folder the first by the rule that has student.cpp is read") {
+  const TestDirectory directory;
+  const fs::path ann = directory.path / "ann";
+  fs::create_directories(ann / "deep/er");
+  write_archive(ann / "deep/er/lab.tar.gz", {{"x/student.cpp", "deep"}});
+  CHECK(message_of(read_submission(ann)) == "read: deep");
+  write_archive(ann / "lab5 (2).zip", {{"student.cpp", "second"}});
+  write_archive(ann / "lab5 (10).zip", {{"student.cpp", "tenth"}});
+  CHECK(message_of(read_submission(ann)) == "read: tenth");
+  write_archive(ann / "lab5.zip", {{"main.cpp", "x"}});
+  write(ann / "lab5.7z", "damaged");
+  const auto read = read_submission(ann);
+  CHECK(message_of(read) == "read: tenth");
+  for (const char* other : {"lab5.7z", "lab5.zip", "lab5 (2).zip", "deep/er/lab.tar.gz"})
+    CHECK(has_part(read->note, other));
+  // A file in the folder itself comes before every archive.
+  write(ann / "deep/student.cpp", "file");
+  CHECK(message_of(read_submission(ann)) == "read: file");
+  // If no archive has it, the first one says why.
+  write(directory.path / "bob/lab5.zip", "damaged");
+  write_archive(directory.path / "bob/other.zip", {{"main.cpp", "x"}});
+  CHECK(has_part(message_of(read_submission(directory.path / "bob")), "lab5.zip: is damaged"));
+}
+
+TEST_CASE("of two entries with the same path the last one counts, as unzip does") {
+  const TestDirectory directory;
+  const auto text = [&](const std::string& name, const std::vector<Entry>& entries) {
+    write_archive(directory.path / name, entries);
+    return message_of(read_from_archive(directory.path / name, "student.cpp"));
+  };
+  const std::vector<Entry> twice{{"student.cpp", "old"}, {"a.txt", "x"}, {"./student.cpp", "new"}};
+  for (const char* name : {"a.zip", "a.tar", "a.tar.gz"}) CHECK(text(name, twice) == "read: new");
+  CHECK(has_part(text("b.tar", {{"student.cpp", "old"}, {"student.cpp", "", "/etc/passwd"}}),
+                 "is a link"));
+  CHECK(text("c.tar", {{"student.cpp", "", "/etc/passwd"}, {"student.cpp", "new"}}) == "read: new");
+  CHECK(text("d.tar", {{"student.cpp", std::string((1 << 20) + 1, ' ')}, {"student.cpp", "new"}}) ==
+        "read: new");
+  // A file that is not taken may be anything.
+  CHECK(text("e.tar", {{"student.cpp", "x"}, {"a/student.cpp", "", "/etc/passwd"}}) == "read: x");
+}
+
+TEST_CASE("RAR archives are read") {
+  const TestDirectory directory;
+  write(directory.path / "ann.rar", rar_of("lab5/student.cpp", "int x;\n"));
+  CHECK(message_of(read_submission(directory.path / "ann.rar")) == "read: int x;\n");
+  CHECK(submission_name(directory.path / "ann.rar") == "ann");
+  write(directory.path / "bob.rar", "no archive at all");
+  CHECK(has_part(message_of(read_submission(directory.path / "bob.rar")), "is damaged"));
 }
 
 TEST_CASE("hostile archives are refused with the reason, and nothing of them is written anywhere") {
