@@ -64,10 +64,10 @@ Vector centre_from_shift(const Matrix& rotation, const Vector& shift);
 // Let p_l be the calibrated pixel as (x, y, 1), and (u_x, u_y, u_z) = E p_l. If u_x = u_y = 0 there
 // is no line in the picture: a = b = c = 0; this is so where E p_l = 0, and where the line is at
 // infinity. Error bound: 64 u (1 + |c| + the largest of the right camera's numbers) |E| |p_l| /
-// |(u_x, u_y)|. Where |(u_x, u_y)| is not 0, but at most 8 u |E| |p_l|, this bound says nothing: rounding
-// decides, so no line is right, and so is any line whose a^2 + b^2 is 1 to within 16 u and whose
-// sign is as above. Focal lengths are between 2^-10 and 2^20 and the other numbers of cameras and
-// pixels at most 2^30.
+// |(u_x, u_y)|. Where |(u_x, u_y)| is not 0, but at most 8 u |E| |p_l|, this bound says nothing:
+// rounding decides, so no line is right, and so is any line whose a^2 + b^2 is 1 to within 16 u and
+// whose sign is as above. Focal lengths are between 2^-10 and 2^20 and the other numbers of cameras
+// and pixels at most 2^30.
 Line epipolar_line(const Matrix& essential, const Camera& left, const Camera& right,
                    const Pixel& left_pixel);
 

@@ -157,30 +157,30 @@ inline double any_cosine(Choices& c) {
   }
 }
 
+// Exactly 1 px or 64 px, or less than a thousandth beside. Squares of powers of two are under the
+// root, and powers of two before it: nothing is rounded.
+inline SizeCase size_at_limit(Choices& c) {
+  const int root = int(c.integer(-6, 6)), power = int(c.integer(-20, 20));
+  const int size = c.flag() ? 6 : 0;
+  const double most = std::ldexp(1.0, std::min(0, 2 * root));
+  const auto off = double(c.integer(-2, 2));
+  const double beside = 1 + off * std::ldexp(1.0, -int(c.integer(11, 45)));
+  const double w = std::ldexp(1.0, power + root - size) * beside;
+  return {"a sample", std::ldexp(1.0, power), w, std::ldexp(most, -2 * root), most};
+}
+
+inline SizeCase any_size(Choices& c, int lowest, int highest_ratio, int lowest_w, int highest_w) {
+  const double ratio = std::abs(c.real(lowest, highest_ratio));
+  const double w = std::abs(c.real(lowest_w, highest_w));
+  const double first = any_cosine(c);
+  return {"a sample", ratio, w, first, any_cosine(c)};
+}
+
 inline std::vector<InputClass<SizeCase>> generated_sizes() {
-  return {
-      {"sizes of every kind", 30'000,
-       [](Choices& c) {
-         const double ratio = std::abs(c.real(-4, 4)), w = std::abs(c.real(-8, 4));
-         const double first = any_cosine(c);
-         return SizeCase{"a sample", ratio, w, first, any_cosine(c)};
-       }},
-      {"the smallest and the largest numbers", 20'000,
-       [](Choices& c) {
-         const double ratio = std::abs(c.real(-149, 127)), w = std::abs(c.real(-149, 127));
-         const double first = any_cosine(c);
-         return SizeCase{"a sample", ratio, w, first, any_cosine(c)};
-       }},
-      {"exactly 1 px or 64 px, and less than a thousandth beside", 20'000, [](Choices& c) {
-         // Squares of powers of two under the root, and powers of two before it: nothing is
-         // rounded.
-         const int root = int(c.integer(-6, 6)), power = int(c.integer(-20, 20));
-         const int size = c.flag() ? 6 : 0;
-         const double most = std::ldexp(1.0, std::min(0, 2 * root));
-         double w = std::ldexp(1.0, power + root - size);
-         w *= 1 + double(c.integer(-2, 2)) * std::ldexp(1.0, -int(c.integer(11, 45)));
-         return SizeCase{"a sample", std::ldexp(1.0, power), w, std::ldexp(most, -2 * root), most};
-       }}};
+  return {{"sizes of every kind", 30'000, [](Choices& c) { return any_size(c, -4, 4, -8, 4); }},
+          {"the smallest and the largest numbers", 20'000,
+           [](Choices& c) { return any_size(c, -149, 127, -149, 127); }},
+          {"1 px or 64 px, and less than a thousandth beside", 20'000, size_at_limit}};
 }
 
 // ---- orders (task 12.5) ----

@@ -40,10 +40,10 @@ struct Layers {
 
 // Task 12.1. Packs samples, which come in any order and are all inside the picture. A sample is
 // *near* to one in front of it, whose depth is z, if the difference of the depths is at most the
-// product epsilon z, both computed in double. In each pixel, from front to back: the first sample is kept and absorbs all
-// that are near to it, then the first of the rest is kept and absorbs all that are near to it, and
-// so on; an absorbed sample absorbs nothing. Among equal depths the first of `samples` is in front.
-// Exact.
+// product epsilon z, both computed in double. In each pixel, from front to back: the first sample
+// is kept and absorbs all that are near to it, then the first of the rest is kept and absorbs all
+// that are near to it, and so on; an absorbed sample absorbs nothing. Among equal depths the first
+// of `samples` is in front. Exact.
 Layers pack(int width, int height, const std::vector<Sample>& samples, double epsilon);
 
 // A homogeneous position in a picture: (x w, y w, z w, w), with x and y in pixels, z the depth.
@@ -81,8 +81,8 @@ struct Splat {
 // is F2/F1, the second eye's focal length over the first eye's; w > 0 is d2/d1, the ratio of the
 // distances. The cosines, 0 to 1, are those of the angles between the surface's normal and the
 // lines to the two eyes. A surface that the first eye saw exactly edge-on (cosine 0) is cut to 64
-// px. No number is below 2^-149, except a cosine that is 0, or 2^128 or more, so nothing overflows in
-// double. Error bound of the side: 8 u side; where l is not 64 but closer to 64 than that bound,
+// px. No number is below 2^-149, except a cosine that is 0, or 2^128 or more, so nothing overflows
+// in double. Error bound of the side: 8 u side; where l is not 64 but closer to 64 than that bound,
 // is_cut may be either.
 Splat splat_size(double focal_ratio, double w, double cosine_first, double cosine_second);
 
@@ -93,9 +93,9 @@ Splat splat_size(double focal_ratio, double w, double cosine_first, double cosin
 // first eye, and epipole / w is where the line through both eyes meets the picture. With w = 0 it
 // is to the side: to the right (or below) if epipole > 0. The position of a column is its centre.
 // First come all columns that are visited with growing numbers, then all that are visited with
-// falling numbers. A column whose centre is the epipole is visited with falling numbers. Exact, also
-// for a centre that is one rounding step of `epipole` beside it. epipole and w are not both 0; those
-// that are not 0 have magnitudes of 2^-900 to 2^901, and count is at least 0.
+// falling numbers. A column whose centre is the epipole is visited with falling numbers. Exact,
+// also for a centre that is one rounding step of `epipole` beside it. epipole and w are not both 0;
+// those that are not 0 have magnitudes of 2^-900 to 2^901, and count is at least 0.
 std::vector<int> visiting_order(double epipole, double w, int count);
 
 // A sample on its way into the second picture: a square around its position.

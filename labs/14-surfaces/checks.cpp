@@ -148,9 +148,9 @@ struct ExactWeights {
 // The weights by Cramer's rule: a quotient of two determinants each. A determinant has an error of
 // at most 5 u times the sum of the sizes of its terms, which is at most 6 / sqrt(27) < 1.2 for unit
 // vectors (the permanent of a matrix with rows of unit length), so 6 u. A weight w then has the
-// error 6 u (1 + |w|) / |det|. A weight w is divided by a sum s >= w: the quotient has the errors of
-// w and of the three weights in s, divided by s. For s <= 1 that is at most 4 times 12 u / (|det|
-// s), for s > 1 at most 4 times 12 u / |det|; 64 u is allowed.
+// error 6 u (1 + |w|) / |det|. A weight w is divided by a sum s >= w: the quotient has the errors
+// of w and of the three weights in s, divided by s. For s <= 1 that is at most 4 times 12 u /
+// (|det| s), for s > 1 at most 4 times 12 u / |det|; 64 u is allowed.
 ExactWeights exact_weights(const ViewCase& input) {
   const Exact3 v = exact_vector(input.direction);
   std::array<Exact3, 3> views;

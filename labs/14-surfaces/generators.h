@@ -19,11 +19,12 @@ using glassbox::labs::InputClass;
 
 // ---- cells (task 14.1) ----
 
+inline CellCase any_cell(Choices& c) {
+  return {"a cell", unsigned(c.below(256))};
+}
 inline std::vector<InputClass<CellCase>> generated_cells() {
   // So many that each of the 256 cells is among them, but for one time in 10^4.
-  return {{"any corners inside", 4'000, [](Choices& c) {
-             return CellCase{"a cell", unsigned(c.below(256))};
-           }}};
+  return {{"any corners inside", 4'000, any_cell}};
 }
 
 // ---- edges (task 14.2) ----

@@ -45,8 +45,8 @@ std::vector<std::vector<int>> cell_polygons(unsigned inside);
 // end. `from` and `to` are the values at the ends; one is at least the level (inside) and the other
 // below it. The answer is where the linear interpolation between these values is equal to the
 // level, but at least kMinStep away from both ends (C-96). A value outside the lattice is minus
-// infinity; then the answer is one half. All other values, and the level, have magnitudes of at most
-// 2^1001. Error bound: 8 u of the answer.
+// infinity; then the answer is one half. All other values, and the level, have magnitudes of at
+// most 2^1001. Error bound: 8 u of the answer.
 inline constexpr double kMinStep = 0x1p-10;
 double crossing(double from, double to, double level);
 
@@ -97,8 +97,9 @@ using Matrix = std::vector<std::vector<double>>;  // rows
 // Task 14.5. The mean of the pixels, and their covariance: entry (i, j) is the mean of (x_i -
 // m_i)(x_j - m_j), where x_i is band i of a pixel and m_i the mean of that band. Values may be
 // large compared with their differences.
-// Error bound of a mean: 2 n u of the largest value, for n pixels; of an entry: 8 n u of the largest
-// entry on the diagonal, plus 4 (n u times the largest value)^2. There is at least one pixel.
+// Error bound of a mean: 2 n u of the largest value, for n pixels; of an entry: 8 n u of the
+// largest entry on the diagonal, plus 4 (n u times the largest value)^2. There is at least one
+// pixel.
 struct Statistics {
   std::vector<double> mean;
   Matrix covariance;
