@@ -22,6 +22,10 @@ struct BenchProgram {
   bool hidden = true;  // whether it has the hidden checks too
 };
 
+// Which checks are run: all of them, or those without generated inputs, which take a tenth of the
+// time.
+enum class Inputs { kAll, kCases };
+
 // One bench for each lab. The code around a student's file is compiled once (a kit, kept for the
 // next run), a text that was compiled before is not compiled again, and the expected answers are
 // computed once.
@@ -36,15 +40,17 @@ public:
   // Returns the lab's starter, which the kit contains compiled.
   BenchProgram starter(bool hidden);
 
-  LabResult check(const BenchProgram& program) const { return check(program, cases_); }
+  LabResult check(const BenchProgram& program, Inputs inputs = Inputs::kAll) const {
+    return check(program, cases_, inputs);
+  }
   LabResult check(const std::string& student) { return check(program(student)); }
   // Checks with cases that are computed again, because they depend on a seed.
-  LabResult check_with_new_cases(const BenchProgram& program) const;
+  LabResult check_with_new_cases(const BenchProgram& program, Inputs inputs) const;
 
 private:
   using AllCases = std::vector<std::vector<Case>>;
   explicit Bench(const Lab& lab);
-  LabResult check(const BenchProgram& program, const AllCases& cases) const;
+  LabResult check(const BenchProgram& program, const AllCases& cases, Inputs inputs) const;
   BenchProgram linked(const std::filesystem::path& object, bool hidden);
   AllCases all_cases() const;
 
