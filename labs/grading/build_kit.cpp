@@ -286,7 +286,7 @@ Result<void> compile_lab_file(const std::string& compiler, const fs::path& sourc
 Result<void> compile_view(const std::string& compiler, const Sources& sources,
                           const fs::path& library) {
   std::vector<std::string> words = lab_compile_command(compiler, {});
-  // Only the C library is named in it, because the compiler may have another C++ library of its own.
+  // The library names the C library alone, because the compiler may have a C++ library of its own.
   append(words,
          {"-shared", "-fPIC", "-fno-exceptions", "-Wl,--as-needed",
           (sources.labs / "grading/compiler_view.cpp").string(), "-o", library.string(), "-ldl"});

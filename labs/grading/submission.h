@@ -18,8 +18,8 @@ struct SubmittedFile {
   std::string note;
 };
 
-// student.cpp of a submission: a folder or an archive (archive.h) that has it at any depth, a folder
-// with such an archive in it (as Moodle leaves it), or a file NAME.cpp itself. choose_file.h says
+// student.cpp of a submission: of a folder or an archive (archive.h) that has it at any depth, of a
+// folder with such an archive in it (as Moodle leaves it), or a file NAME.cpp. choose_file.h says
 // what may be its name, and which one is taken of several. Links are not followed, and anything
 // that is no regular file or is larger than kLargestSource is refused: a link to the solution is no
 // submission, and reading a pipe might never end. If the file is missing, the error names the files
