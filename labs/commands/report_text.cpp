@@ -121,9 +121,8 @@ std::string debugger_command(const LabReport& report, const CheckResult& check) 
   const auto runner = shell_quoted(report.runner), name = shell_quoted(check.name);
   if (!runner || !name) return {};
   const auto& choices = check.first->choices;
-  return fmt::format(
-      "gdb --args {} --check {} --case {}{}", *runner, *name, check.first->index,
-      choices.empty() ? "" : fmt::format(" --choices '{}'", choices_text({choices})));
+  return fmt::format("gdb --args {} --check {} --case {}{}", *runner, *name, check.first->index,
+                     choices ? fmt::format(" --choices '{}'", choices_text({*choices})) : "");
 }
 
 std::string lab_report_text(const LabReport& report) {

@@ -44,7 +44,7 @@ struct FirstFailure {
   std::vector<double> actual;        // the numbers that the wrong field has
   // only for a generated input: the choices that make it (choices.h), and how many inputs of its
   // class have wrong answers (0: not known, because the program did not answer them all)
-  std::vector<std::uint64_t> choices;
+  std::optional<std::vector<std::uint64_t>> choices;
   std::size_t wrong_inputs = 0;
 };
 

@@ -189,7 +189,7 @@ void shrink_failure(CheckResult& result, const std::vector<Case>& cases, Runner&
   if (!input.generated) return;
   Shrinker shrinker(runner, program, result.name, input, *result.first, limits);
   const std::size_t wrong = result.first->wrong_inputs;
-  Made made = result.first->choices;
+  Made made = result.first->choices.value_or(Made());
   if (result.first->verdict != Verdict::kWrong)
     made = choices_of(*input.generated, shrinker.first_unanswered());
   made = shrinker.simplest(made);

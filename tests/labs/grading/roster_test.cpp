@@ -106,7 +106,7 @@ TEST_CASE("with --roster class.csv and index.html have one row for each student,
   write(directory.path / "class/notes.txt", "x");
   const Outcome skipped = grader(words, directory.path);
   CHECK(skipped.exit_code == 1);
-  CHECK(is_told(skipped.err, "skipped: notes.txt: is neither a folder"));
+  CHECK(is_told(skipped.err, "notes.txt: is neither a folder"));
   CHECK(is_told(skipped.err, "1 entry of class was skipped"));
 }
 
