@@ -180,10 +180,15 @@ Bounds axis_angle_bounds(const Camera& camera) {
 bool right_axis_angle(const CameraCase& input, const Answer& answer) {
   const Camera& camera = input.camera;
   const auto view = look_at(camera.eye, camera.target, camera.up);
-  return view && right_view(*view, answer, axis_angle_bounds(camera));
+  // The contract is about cameras that have a view.
+  return !view || right_view(*view, answer, axis_angle_bounds(camera));
 }
 
 Case expect_axis_angle(const CameraCase& input) {
+  if (!look_at(input.camera.eye, input.camera.target, input.camera.up))
+    return {.where = input.what,
+            .restated = camera_text(input.camera) + "; it has no view",
+            .judge = [](const Answer&) { return std::optional<Divergence>(); }};
   Case c = expect_view(input, axis_angle_bounds(input.camera));
   // In this task no U and V are computed, so there is no cross product whose factors could be
   // swapped.

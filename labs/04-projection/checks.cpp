@@ -196,7 +196,7 @@ Case expect_divide(const Point<Clip, double>& p) {
   double largest = 0;
   for (const double each : {p.x, p.y, p.z}) {
     if (!(p.w > 0)) continue;
-    ndc.values.push_back(double(Rational(each) / Rational(p.w)));
+    ndc.values.push_back(each / p.w);  // the exact quotient, rounded once
     largest = std::max(largest, std::abs(ndc.values.back()));
   }
   ndc.bound = p.w == 1 ? 0 : 4 * kU * largest + lab_04::kSmallest;
@@ -348,7 +348,6 @@ bool right_dialect(const lab_04::DialectCase& input, const Answer& answer) {
 }
 
 bool right_divide(const Point<Clip, double>& p, const Answer& answer) {
-  // A quotient of doubles is the exact one, rounded once, as in expect_divide().
   Expected ndc = point("ndc", {}, 0, "NDC");
   double largest = 0;
   for (const double each : {p.x, p.y, p.z}) {

@@ -150,7 +150,7 @@ inline std::vector<InputClass<EdgeCase>> generated_edges() {
 }
 
 inline std::vector<InputClass<EdgeCase>> generated_directions() {
-  return {{"edges in every direction, exactly along the axes and a step beside them", 100'000,
+  return {{"directions of every kind, exactly along the axes and a step beside", 100'000,
            [](Choices& c) {
              const SnappedVertex a = any_vertex(c);
              SnappedVertex b = vertex_beside(c, a);

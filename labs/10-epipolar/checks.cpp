@@ -292,6 +292,11 @@ ExactPoint exact_point_of(const RaysCase& input) {
   exact.bound = double(64 * u * (p.norm() + t.norm()) / (exact.sine * exact.sine));
   return exact;
 }
+// Whether more than one answer is right, or the bound is so large that it would allow any w.
+bool has_own_judge(const ExactPoint& exact) {
+  return exact.bound >= 0.5 || (exact.sine > 2 * u && exact.sine < 32 * u);
+}
+
 bool right_point(const RaysCase& input, const Answer& answer) {
   const ExactPoint exact = exact_point_of(input);
   const auto* p = find_field(answer, "point");
@@ -299,13 +304,15 @@ bool right_point(const RaysCase& input, const Answer& answer) {
   const bool at_infinity =
       (*p)[0] == input.left.x && (*p)[1] == input.left.y && (*p)[2] == 1 && (*p)[3] == 0;
   if (at_infinity) return exact.sine <= 32 * u;
-  if (exact.sine <= 2 * u || (*p)[3] != 1) return false;
+  if (exact.sine <= 2 * u) return false;
   // Between 2 u and 8 u the bound is larger than any distance that is meant.
-  if (exact.sine <= 8 * u) return std::isfinite((*p)[0] + (*p)[1] + (*p)[2]);
+  if (exact.sine <= 8 * u) return (*p)[3] == 1 && std::isfinite((*p)[0] + (*p)[1] + (*p)[2]);
+  // The judge of a case without a judge of its own allows w the bound of the other numbers.
+  const double bound_of_w = has_own_judge(exact) ? 0 : exact.bound;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!(std::abs((*p)[i] - exact.values[i]) <= exact.bound)) return false;
   }
-  return true;
+  return std::abs((*p)[3] - 1) <= bound_of_w;
 }
 
 Case expect_point(const RaysCase& input) {
@@ -320,8 +327,7 @@ Case expect_point(const RaysCase& input) {
                         double(exact.sine), found.gap) +
                 extreme_case_command(input.what),
             {point("point", exact.values, exact.bound, "world units")}};
-  // The bound is that of the first three numbers; w is 1 or 0 exactly.
-  if (exact.bound >= 0.5 || (exact.sine > 2 * u && exact.sine < 32 * u))
+  if (has_own_judge(exact))
     made.judge = judged_by(made.expected,
                            [input](const Answer& answer) { return right_point(input, answer); });
   return made;

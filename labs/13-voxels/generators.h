@@ -73,7 +73,7 @@ inline double any_level(Choices& c) {
     case 0:
       return double(c.below(256));
     case 1:
-      return c.one_of({0.0, 255.0, 1e-300});
+      return c.one_of({0.0, 255.0, 1e-150});
     default:
       return std::abs(c.real(-30, 6));
   }

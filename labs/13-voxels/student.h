@@ -54,7 +54,8 @@ struct Statistics {
 // sqrt(S / (3 (K - 1))), where S is the sum of (value - the channel's mean)^2 over colours and
 // channels. Without colours everything is 0, and the deviation of one colour is 0.
 // Error bound of a mean: (K + 4) u M, where M is the largest value; of the deviation: (K + 8) u
-// sqrt(deviation^2 + M^2). The values may be almost equal.
+// sqrt(deviation^2 + M^2). The values may be almost equal. A value is 0 or at least 2^-500, so its
+// square does not underflow.
 Statistics statistics(const std::vector<Colour>& colours);
 
 // The content of a picture's pixel.

@@ -158,13 +158,18 @@ ExactWeights exact_weights(const ViewCase& input) {
   const Rational volume = volume_of_exact(views[0], views[1], views[2]);
   std::array<Rational, 3> w;
   Rational sum(0);
+  ExactWeights exact;
+  exact.bound = 64 * unit_roundoff<double> / std::abs(double(volume));
+  // Where rounding decides whether the sum is 0, the contract asks for nothing, and a weight may be
+  // any number from 0 to 1.
+  bool is_decided = true;
   for (std::size_t i = 0; i < 3; ++i) {
     w[i] = volume_of_exact(v, views[(i + 1) % 3], views[(i + 2) % 3]) / volume;
+    const bool is_close = w[i].sign() != 0 && std::abs(double(w[i])) <= exact.bound;
+    is_decided = is_decided && !(input.sees[i] && is_close);
     if (w[i].sign() < 0 || !input.sees[i]) w[i] = Rational(0);
     sum += w[i];
   }
-  ExactWeights exact;
-  exact.bound = 64 * unit_roundoff<double> / std::abs(double(volume));
   if (sum.sign() > 0) {
     for (std::size_t i = 0; i < 3; ++i) exact.weights[i] = double(w[i] / sum);
     exact.bound /= std::min(1.0, double(sum));
@@ -174,9 +179,16 @@ ExactWeights exact_weights(const ViewCase& input) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (!input.sees[i]) continue;
     const auto near = [&](std::size_t k) { return dot_of_exact(views[k], v); };
+    if (nearest) {
+      const Rational closer = near(i) - near(*nearest);
+      // A dot product of unit vectors rounds by less than 4 u.
+      const double limit = 8 * unit_roundoff<double>;
+      is_decided = is_decided && (closer.sign() == 0 || std::abs(double(closer)) > limit);
+    }
     if (!nearest || (near(i) - near(*nearest)).sign() > 0) nearest = i;
   }
   if (nearest) exact.weights[*nearest] = 1;
+  if (!is_decided) exact.bound = 1;
   return exact;
 }
 

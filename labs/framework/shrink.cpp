@@ -109,15 +109,20 @@ private:
   }
 
   // Numbers below a choice, from 0 up. The step of 2^-k of the choice finds a limit as a binary
-  // search does.
+  // search does. Even and odd numbers are both tried, because Choices::integer makes numbers of one
+  // sign of the even ones and numbers of the other sign of the odd ones.
   static std::vector<std::uint64_t> smaller_choices(std::uint64_t choice) {
     std::vector<std::uint64_t> smaller;
     if (choice == 0) return smaller;
     smaller.push_back(0);
     for (const int shift : {1, 2, 3, 5, 8, 12, 20, 32}) {
-      if (choice >> shift != 0) smaller.push_back(choice - (choice >> shift));
+      const std::uint64_t step = choice >> shift;
+      if (step == 0) break;
+      smaller.push_back(choice - step);
+      smaller.push_back(choice - step - (step < choice ? 1 : 0));
     }
     if (choice > 1) smaller.push_back(choice - 1);
+    if (choice > 2) smaller.push_back(choice - 2);
     return smaller;
   }
 
