@@ -2,14 +2,16 @@
 // rational numbers.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include <glassbox/base/rounding.h>
 
 #include "exact/number.h"
-#include "labs/08-attributes/cases.h"
+#include "labs/08-attributes/generators.h"
 #include "labs/08-attributes/surface_checks.h"
+#include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
 namespace glassbox::labs {
@@ -24,7 +26,18 @@ using exact::Rational;
 constexpr double u24 = double(unit_roundoff<float>);
 constexpr double u53 = unit_roundoff<double>;
 
+// The number of a field that has one; NaN if there is no such field.
+double number_in(const Answer& answer, const char* field) {
+  const auto* values = find_field(answer, field);
+  return values != nullptr && values->size() == 1 ? (*values)[0] : NAN;
+}
+
 // ---- one pixel ----
+
+// Whether coordinate i is the same at all vertices, so that it must be exact.
+bool is_same_at_vertices(const PixelOfTriangle& at, std::size_t i) {
+  return at.texcoords[0][i] == at.texcoords[1][i] && at.texcoords[0][i] == at.texcoords[2][i];
+}
 
 Case expect_pixel(const PixelCase& input) {
   const PixelOfTriangle& at = input.at;
@@ -51,7 +64,8 @@ Case expect_pixel(const PixelCase& input) {
     // derives 13 u24 times the spread (the weighted mean distance of the vertices' values from
     // vertex 0's), which includes the rounding of the edge functions, plus a last rounding. Here it
     // is 16 u24, because a student may also divide by the area, which rounds 1/w and u/w once more.
-    const double bound = 16 * u24 * double(spread / q) + u24 * std::abs(value);
+    const double bound =
+        is_same_at_vertices(at, i) ? 0 : 16 * u24 * double(spread / q) + u24 * std::abs(value);
     expected.push_back(numbers(i == 0 ? "u" : "v", {value}, bound));
     // The wrong answer "affine": it uses the weights on the screen, without perspective.
     const double on_screen = double(even / area);
@@ -70,6 +84,26 @@ Case expect_pixel(const PixelCase& input) {
   if (*input.command != 0) text += fmt::format("\n{}", input.command);
   return {
       .where = input.what, .restated = text, .expected = expected, .slipped = {{"affine", affine}}};
+}
+
+bool right_pixel(const PixelCase& input, const Answer& answer) {
+  const PixelOfTriangle& at = input.at;
+  std::array<double, 3> share;
+  for (std::size_t k = 0; k < 3; ++k) share[k] = double(at.edges[k]) * double(at.inverse_w[k]);
+  const double q = share[0] + share[1] + share[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double a0 = at.texcoords[0][i];
+    const double d1 = at.texcoords[1][i] - a0, d2 = at.texcoords[2][i] - a0;
+    const double value = a0 + (share[1] * d1 + share[2] * d2) / q;
+    const double spread = (share[1] * std::abs(d1) + share[2] * std::abs(d2)) / q;
+    const double bound = is_same_at_vertices(at, i) ? 0 : 16 * u24 * spread + u24 * std::abs(value);
+    // The error of the value is at most 16 u53 of the spread and u53 of the value, which is 2^-29
+    // of the bound. Where that could decide, exact numbers do.
+    const double distance = std::abs(number_in(answer, i == 0 ? "u" : "v") - value);
+    if (!(distance <= bound * (1 + 0x1p-20))) return false;
+    if (distance > bound * (1 - 0x1p-20)) return !judge_case(expect_pixel(input), answer);
+  }
+  return true;
 }
 
 // ---- rows of pixels ----
@@ -127,6 +161,44 @@ Case expect_span(const SpanCase& input) {
           .slipped = {{"half-pixel", expected(at_borders)}, {"affine", expected(even)}}};
 }
 
+// 1/w and u at a border of a pixel in double. The relative error of 1/w is 2 u53 and the error of u
+// is 6 u53 |u|: u/w rounds three times, and the quotient of the two rounds.
+struct SpanPoint {
+  double q, u;
+};
+
+SpanPoint span_point(const Line& line, int x) {
+  const double near = line.pixels - x, far = x;
+  const double q = near * line.inverse_w0 + far * line.inverse_w1;
+  return {q / line.pixels,
+          (near * (line.inverse_w0 * line.u0) + far * (line.inverse_w1 * line.u1)) / q};
+}
+
+// The values in double have an error of 9 u53 |u|: 6 from the ends of the span (2 if these are the
+// ends of the line), and three roundings. That is at most half of the bound, which is at least 18
+// u53 |u| for one pixel and 20 u53 |u| for more. So an answer within half of the bound of such a
+// value is right, and one that is off by twice the bound is wrong; between the two, exact numbers
+// decide.
+bool right_span(const SpanCase& input, const Answer& answer) {
+  const Line& line = input.line;
+  const auto* u = find_field(answer, "u at each pixel");
+  if (u == nullptr || u->size() != std::size_t(line.pixels)) return false;
+  const double bound = 2 * (line.pixels + 8) * u53 * scale_of(line);
+  bool sure = true;
+  for (int first = 0; first < line.pixels; first += input.every) {
+    const int end = std::min(first + input.every, line.pixels), length = end - first;
+    const double start = span_point(line, first).u, last = span_point(line, end).u;
+    for (int x = first; x < end; ++x) {
+      const double past = x - first + 0.5;
+      const double value = ((length - past) * start + past * last) / length;
+      const double distance = std::abs((*u)[std::size_t(x)] - value);
+      if (!(distance <= 2 * bound)) return false;
+      sure = sure && distance <= bound / 2;
+    }
+  }
+  return sure || !judge_case(expect_span(input), answer);
+}
+
 // The largest error of linear interpolation in any span, by the law of task 8.3: |du| (sqrt r - 1)
 // / (sqrt r + 1).
 Decimal largest_span_error(const Line& line, int every) {
@@ -146,8 +218,26 @@ Decimal largest_span_error(const Line& line, int every) {
 // difference of two coordinates with errors of 8 R u53 |u| each. r has a relative error of 16 R
 // u53, and its square root half of that. The quotient gets at most half of the root's error,
 // because sqrt r + 1 is at least 2.
+double choice_bound(const Line& line) {
+  return 64 * u53 * scale_of(line);
+}
+
+std::vector<Expected> choice_fields(const Line& line, int every, double error) {
+  // A division in every pixel has no error.
+  return {numbers("pixels between two divisions", {double(every)}),
+          numbers("error", {error}, every == 1 ? 0 : choice_bound(line), "texel")};
+}
+
+// The errors of spans of 2, 4, 8, ... pixels never decrease, because each span is a part of one of
+// the next length, over which both du and r are at least as large. So the first error above the
+// tolerance ends the search. If an error is within the bound of the tolerance, the search may end
+// there or go on: all answers that this allows are right.
 Case expect_choice(const ChoiceCase& input) {
   const Line& line = input.line;
+  const Decimal tolerance(input.tolerance), bound(choice_bound(line));
+  std::vector<std::vector<Expected>> right;
+  std::vector<Expected> expected = choice_fields(line, 1, 0);
+  bool above = false, surely_above = false;
   int every = 1;
   double error = 0;
   std::string text =
@@ -156,14 +246,66 @@ Case expect_choice(const ChoiceCase& input) {
     const Decimal of_length = largest_span_error(line, length);
     text += fmt::format(" {} pixels {:.4g}{}", length, double(of_length),
                         2 * length <= line.pixels ? "," : "");
-    if (Decimal(input.tolerance) < of_length) continue;
+    if (surely_above) continue;
+    // The length before this one is a right answer if this length may count as above.
+    if (!(of_length < tolerance - bound)) right.push_back(choice_fields(line, every, error));
+    surely_above = tolerance + bound < of_length;
+    if (surely_above) continue;
     every = length;
     error = double(of_length);
+    above = above || tolerance < of_length;
+    if (!above) expected = choice_fields(line, every, error);
   }
-  return {fmt::format("at most {} texels", input.tolerance),
-          text,
-          {numbers("pixels between two divisions", {double(every)}),
-           numbers("error", {error}, 64 * u53 * scale_of(line), "texel")}};
+  if (!surely_above) right.push_back(choice_fields(line, every, error));
+  Case made{fmt::format("at most {} texels", input.tolerance), text, expected};
+  if (right.size() > 1)
+    made.judge = [right, expected](const Answer& answer) -> std::optional<Divergence> {
+      for (const std::vector<Expected>& each : right) {
+        if (!judge_case({.where = "", .restated = "", .expected = each}, answer))
+          return std::nullopt;
+      }
+      return judge_case({.where = "", .restated = "", .expected = expected}, answer);
+    };
+  return made;
+}
+
+// The law's error in double. du has an error of 13 u53 |u| and r one of 5 u53 of itself, so the
+// quotient of the roots one of 5 u53; du is at most 2 |u|. With the product's rounding that is 25
+// u53 |u|, less than half of the bound.
+double nearly_largest_error(const Line& line, int every) {
+  double largest = 0;
+  SpanPoint a = span_point(line, 0);
+  for (int first = 0; first < line.pixels; first += every) {
+    const SpanPoint b = span_point(line, std::min(first + every, line.pixels));
+    const double root = std::sqrt(a.q < b.q ? b.q / a.q : a.q / b.q);
+    largest = std::max(largest, std::abs(b.u - a.u) * ((root - 1) / (root + 1)));
+    a = b;
+  }
+  return largest;
+}
+
+// Judges in double. Where an error that is off by half of the bound could decide, exact numbers do.
+bool right_choice(const ChoiceCase& input, const Answer& answer) {
+  const Line& line = input.line;
+  const double bound = choice_bound(line);
+  const double error = number_in(answer, "error");
+  const double given = number_in(answer, "pixels between two divisions");
+  if (!(given >= 1 && given <= line.pixels) || given != std::floor(given)) return false;
+  const int every = int(given);
+  if ((every & (every - 1)) != 0 || (every == 1 && error != 0)) return false;
+  bool sure = true;
+  if (every > 1) {
+    const double right = nearly_largest_error(line, every);
+    const double distance = std::abs(error - right), above = right - input.tolerance;
+    if (!(distance <= 2 * bound) || above > 2 * bound) return false;
+    sure = distance <= bound / 2 && above <= bound / 2;
+  }
+  if (2 * every <= line.pixels) {
+    const double below = input.tolerance - nearly_largest_error(line, 2 * every);
+    if (below > 2 * bound) return false;
+    sure = sure && below <= bound / 2;
+  }
+  return sure || !judge_case(expect_choice(input), answer);
 }
 
 // ---- footprints ----
@@ -243,12 +385,16 @@ ExpectedFootprint footprint_of(const FootprintCase& input) {
       std::hypot(input.width * double(u.along_y), input.height * double(v.along_y));
   const double longer = std::max(along_x, along_y);
   const double last = std::log2(double(std::max(input.width, input.height)));
-  // The level is log2(length). The error of the length is therefore divided by the length and by ln
-  // 2; a length below 1 always gives level 0, so at least 0.5 is used for the length. The roundings
-  // of the lengths and of the logarithm are added.
+  const auto level_of = [last](double length) {
+    return length <= 1 ? 0 : std::min(std::log2(length), last);
+  };
+  // The level may be off by as much as the length's error changes it. The roundings of the lengths
+  // and of the logarithm are added.
   const double of_length = std::hypot(input.width * u_bound, input.height * v_bound);
-  const double level_bound = of_length / std::max(longer, 0.5) / std::log(2.0) + 16 * u53 * last;
-  const double level = std::clamp(longer > 0 ? std::log2(longer) : 0, 0.0, last);
+  const double level = level_of(longer);
+  const double level_bound =
+      std::max(level_of(longer + of_length) - level, level - level_of(longer - of_length)) +
+      16 * u53 * last;
   return {{numbers("du/dx, du/dy", {double(u.along_x), double(u.along_y)}, u_bound, "per px"),
            numbers("dv/dx, dv/dy", {double(v.along_x), double(v.along_y)}, v_bound, "per px"),
            numbers("level", {level}, level_bound, "levels")},
@@ -271,6 +417,66 @@ Case expect_footprint(const FootprintCase& input) {
           .slipped = {{"affine", footprint_of(without_perspective(input)).fields}}};
 }
 
+// A derivative (N' - (N/D) D') / D in double. The edge functions and their slopes are exact: they
+// are multiples of 2^-16 below 2^34. N and D have errors of 4 u U D and 3 u D (U: the largest
+// |attribute|, u: the unit roundoff), and N' and D' of 8 u and 6 u times e q U and e q (e: the
+// longer side of the bounding box, q: the largest 1/w). Together that is 52 u k U / e, with k of
+// the bound, which is 1 at least: a thirty-ninth of the bound.
+std::array<double, 2> nearly_gradient(const FootprintCase& input, Attribute attribute) {
+  double n = 0, d = 0, nx = 0, ny = 0, dx = 0, dy = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TexturedVertex& vertex = input.triangle[k];
+    const TexturedVertex& from = input.triangle[(k + 1) % 3];
+    const TexturedVertex& to = input.triangle[(k + 2) % 3];
+    const double ex = from.y - to.y, ey = to.x - from.x;
+    const double e = ex * (input.x - from.x) + ey * (input.y - from.y);
+    const double q = vertex.inverse_w, p = q * vertex.*attribute;
+    n += e * p, nx += ex * p, ny += ey * p;
+    d += e * q, dx += ex * q, dy += ey * q;
+  }
+  return {(nx - n / d * dx) / d, (ny - n / d * dy) / d};
+}
+
+// Whether two derivatives are within the bound; nothing if exact numbers must decide.
+std::optional<bool> judge_gradient(const std::array<double, 2>& nearly, double bound,
+                                   const std::vector<double>* actual) {
+  if (actual == nullptr || actual->size() != 2) return false;
+  const double distance = std::max(distance_between(nearly[0], (*actual)[0]),
+                                   distance_between(nearly[1], (*actual)[1]));
+  if (distance <= bound / 2) return true;
+  if (!(distance <= 2 * bound)) return false;
+  return std::nullopt;
+}
+
+bool right_footprint(const FootprintCase& input, const Answer& answer) {
+  const auto u = nearly_gradient(input, &TexturedVertex::u);
+  const auto v = nearly_gradient(input, &TexturedVertex::v);
+  const double u_bound = gradient_bound(input, &TexturedVertex::u);
+  const double v_bound = gradient_bound(input, &TexturedVertex::v);
+  const auto u_judged = judge_gradient(u, u_bound, find_field(answer, "du/dx, du/dy"));
+  const auto v_judged = judge_gradient(v, v_bound, find_field(answer, "dv/dx, dv/dy"));
+  if (u_judged == false || v_judged == false) return false;
+  const double longer = std::max(std::hypot(input.width * u[0], input.height * v[0]),
+                                 std::hypot(input.width * u[1], input.height * v[1]));
+  const double of_length = std::hypot(input.width * u_bound, input.height * v_bound);
+  const double last = std::log2(double(std::max(input.width, input.height)));
+  // The length is off by a thirty-ninth of `of_length` at most. While that is small, the level is
+  // off by no more than half of its bound. Next to 0 and to the last level, where the level's slope
+  // changes, exact numbers decide.
+  const double reach = longer + 2 * of_length, least = longer - 2 * of_length;
+  const double level = number_in(answer, "level");
+  if (u_judged && v_judged) {
+    if (reach < 1 && of_length < 0x1p-10) return std::abs(level) <= 16 * u53 * last;
+    if (of_length < longer / 64 && least > 1 && reach < std::ldexp(1.0, int(last))) {
+      const double bound = of_length / longer / std::log(2.0) + 16 * u53 * last;
+      const double distance = std::abs(level - std::log2(longer));
+      if (distance <= bound / 2) return true;
+      if (!(distance <= 2 * bound)) return false;
+    }
+  }
+  return !judge_case(expect_footprint(input), answer);
+}
+
 }  // namespace
 
 Lab lab_08() {
@@ -285,14 +491,20 @@ Lab lab_08() {
        {"8.5", "A Bezier patch in triangles", 15},
        {"8.6", "The level of a patch", 10}},
       {check("texture coordinates at a pixel", "8.1", "shading", pixels, expect_pixel),
+       generated_check("any pixel", "8.1", "shading", generated_pixels, expect_pixel, right_pixel),
        hidden_check("texture coordinates at other pixels", "8.1", "shading", hidden_pixels,
                     expect_pixel),
        check("coordinates along a row by spans", "8.2", "shading", spans, expect_span),
+       generated_check("any row", "8.2", "shading", generated_rows, expect_span, right_span),
        hidden_check("coordinates along other rows", "8.2", "shading", hidden_spans, expect_span),
        check("the longest span within a tolerance", "8.3", "shading", choices, expect_choice),
+       generated_check("any row and tolerance", "8.3", "shading", generated_choices, expect_choice,
+                       right_choice),
        hidden_check("the longest span of other rows", "8.3", "shading", hidden_choices,
                     expect_choice),
        check("footprint and mip level", "8.4", "shading", footprints, expect_footprint),
+       generated_check("any footprint", "8.4", "shading", generated_footprints, expect_footprint,
+                       right_footprint),
        hidden_check("other footprints", "8.4", "shading", hidden_footprints, expect_footprint)}};
   for (Check& each : surface_checks()) lab.checks.push_back(std::move(each));
   return lab;

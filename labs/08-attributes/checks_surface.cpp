@@ -2,13 +2,14 @@
 // numbers.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include <glassbox/base/rounding.h>
 
 #include "exact/number.h"
-#include "labs/08-attributes/cases.h"
+#include "labs/08-attributes/generators.h"
 #include "labs/08-attributes/surface_checks.h"
 #include "labs/framework/compare.h"
 
@@ -51,11 +52,16 @@ ExactPoint bezier_point(std::array<ExactPoint, 4> p, const Rational& t) {
   return p[0];
 }
 
+// The four points at the parameter i / level of the rows, which are the control points of the curve
+// down the patch.
+std::array<ExactPoint, 4> points_down(const Rows& rows, int i, int level) {
+  const Rational u = Rational(i) / Rational(level);
+  return {bezier_point(rows[0], u), bezier_point(rows[1], u), bezier_point(rows[2], u),
+          bezier_point(rows[3], u)};
+}
+
 ExactPoint patch_point(const Rows& rows, int i, int j, int level) {
-  const Rational u = Rational(i) / Rational(level), v = Rational(j) / Rational(level);
-  return bezier_point({bezier_point(rows[0], u), bezier_point(rows[1], u), bezier_point(rows[2], u),
-                       bezier_point(rows[3], u)},
-                      v);
+  return bezier_point(points_down(rows, i, level), Rational(j) / Rational(level));
 }
 
 void add(const ExactPoint& p, std::vector<double>& numbers) {
@@ -85,18 +91,15 @@ std::string patch_text(const Patch& patch) {
   return text;
 }
 
-Case expect_patch(const PatchCase& input) {
+bool is_pole(const Patch& patch) {
+  const auto& row = patch.rows[0];
+  return row[0] == row[1] && row[1] == row[2] && row[2] == row[3];
+}
+
+std::vector<double> triangles_of(const PatchCase& input) {
   const int n = input.level;
-  const Rows rows = exact_rows(input.patch);
-  std::vector<double> positions, exchanged, triangles;
-  for (int j = 0; j <= n; ++j) {
-    for (int i = 0; i <= n; ++i) {
-      add(patch_point(rows, i, j, n), positions);
-      add(patch_point(rows, j, i, n), exchanged);
-    }
-  }
-  const bool pole =
-      rows[0][0] == rows[0][1] && rows[0][1] == rows[0][2] && rows[0][2] == rows[0][3];
+  const bool pole = is_pole(input.patch);
+  std::vector<double> triangles;
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       const double a = j * (n + 1) + i, d = a + n + 1;
@@ -104,6 +107,26 @@ Case expect_patch(const PatchCase& input) {
       triangles.insert(triangles.end(), {a, d + 1, d});
     }
   }
+  return triangles;
+}
+
+Case expect_patch(const PatchCase& input) {
+  const int n = input.level;
+  const auto count = std::size_t(n) + 1;
+  const Rows rows = exact_rows(input.patch);
+  std::vector<double> positions(3 * count * count), exchanged(positions.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::array<ExactPoint, 4> down = points_down(rows, int(i), n);
+    for (std::size_t j = 0; j < count; ++j) {
+      const ExactPoint p = bezier_point(down, Rational(std::int64_t(j)) / Rational(n));
+      for (std::size_t k = 0; k < 3; ++k) {
+        positions[3 * (j * count + i) + k] = double(p[k]);
+        exchanged[3 * (i * count + j) + k] = double(p[k]);
+      }
+    }
+  }
+  const bool pole = is_pole(input.patch);
+  const std::vector<double> triangles = triangles_of(input);
   const Expected indices = numbers("triangles", triangles);
   const auto places = [&](std::vector<double> values) {
     return polygon("positions", 3, std::move(values), position_bound(input.patch));
@@ -113,6 +136,56 @@ Case expect_patch(const PatchCase& input) {
                                   pole ? ", rows[0] is a pole" : ""),
           .expected = {places(positions), indices},
           .slipped = {{"row-column-order", {places(exchanged), indices}}}};
+}
+
+// A curve at i / n in double, with Bernstein's weights from integers: products, two sums and a
+// quotient, 4 u of the largest coordinate (u: the unit roundoff).
+std::array<double, 3> nearly_on_curve(const std::array<std::array<double, 3>, 4>& p, int i, int n) {
+  const double a = n - i, b = i, whole = double(n) * n * n;
+  const double weights[4] = {a * a * a, 3 * a * a * b, 3 * a * b * b, b * b * b};
+  std::array<double, 3> sum;
+  for (std::size_t k = 0; k < 3; ++k)
+    sum[k] = ((p[0][k] * weights[0] + p[1][k] * weights[1]) +
+              (p[2][k] * weights[2] + p[3][k] * weights[3])) /
+             whole;
+  return sum;
+}
+
+std::array<std::array<double, 3>, 4> nearly_down(const Patch& patch, int i, int n) {
+  std::array<std::array<double, 3>, 4> down;
+  for (std::size_t j = 0; j < 4; ++j) {
+    std::array<std::array<double, 3>, 4> row;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto& p = patch.rows[j][k];
+      row[k] = {p.x, p.y, p.z};
+    }
+    down[j] = nearly_on_curve(row, i, n);
+  }
+  return down;
+}
+
+// Positions in double are off by 8 u, an eighth of the bound. So an answer within half of the bound
+// is right, and one that is off by twice the bound is wrong; between the two, exact numbers decide.
+bool right_patch(const PatchCase& input, const Answer& answer) {
+  const auto *positions = find_field(answer, "positions"),
+             *triangles = find_field(answer, "triangles");
+  const auto count = std::size_t(input.level) + 1;
+  if (positions == nullptr || positions->size() != 3 * count * count) return false;
+  if (triangles == nullptr || *triangles != triangles_of(input)) return false;
+  const double bound = position_bound(input.patch);
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto down = nearly_down(input.patch, int(i), input.level);
+    for (std::size_t j = 0; j < count; ++j) {
+      const std::array<double, 3> p = nearly_on_curve(down, int(j), input.level);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double distance = std::abs((*positions)[3 * (j * count + i) + k] - p[k]);
+        if (!(distance <= 2 * bound)) return false;
+        largest = std::max(largest, distance);
+      }
+    }
+  }
+  return largest <= bound / 2 || !judge_case(expect_patch(input), answer);
 }
 
 // ---- seams ----
@@ -144,6 +217,26 @@ Case expect_seam(const SeamCase& input) {
       .judge = [input](const Answer& answer) { return judge_seam(input, answer); }};
 }
 
+bool right_seam(const SeamCase& input, const Answer& answer) {
+  const auto* first = find_field(answer, "border of the first patch");
+  const auto* second = find_field(answer, "border of the second patch");
+  const auto count = std::size_t(input.level) + 1;
+  if (first == nullptr || second == nullptr || first->size() != 3 * count || *first != *second)
+    return false;
+  const double bound = position_bound(input.a);
+  double largest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::array<double, 3> p =
+        nearly_on_curve(nearly_down(input.a, int(i), input.level), input.level, input.level);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double distance = std::abs((*first)[3 * i + k] - p[k]);
+      if (!(distance <= 2 * bound)) return false;
+      largest = std::max(largest, distance);
+    }
+  }
+  return largest <= bound / 2 || !judge_case(expect_seam(input), answer);
+}
+
 // ---- levels ----
 
 // A term of a difference of control points: factor P[j + dj][i + di]. longest() adds up the terms
@@ -170,31 +263,112 @@ Decimal longest(const Rows& rows, const std::vector<Term>& terms) {
   return sqrt(decimal_from(largest));
 }
 
+// How far the two sides of the formula of task 8.6 may be apart, times level^2, for either answer
+// to be right: 512 u C px_per_unit (u: the unit roundoff, C: the largest coordinate of a control
+// point in size). A difference of four control points of coordinates up to C rounds by 8 u C. Three
+// coordinates, times 6 or 9, make a length of at most 42 C or 63 C (with a factor of sqrt 3), which
+// rounds by 5 u more: 300 u C for Muu and Mvv, 440 u C for Muv. Muu + 2 Muv + Mvv is at most 210 C
+// and rounds by 4 u with its factors: 2320 u C together, of which 1/8 is 290 u C. The right side
+// rounds twice, which is 53 u C where both sides are equal.
+double either_level(const LevelCase& input) {
+  double largest = 0;
+  for (const auto& row : input.patch.rows) {
+    for (const auto& p : row)
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  return 512 * unit_roundoff<double> * largest * input.px_per_unit;
+}
+
 Case expect_level(const LevelCase& input) {
   const Rows rows = exact_rows(input.patch);
   const Decimal uu = longest(rows, {{0, 0, 6}, {1, 0, -12}, {2, 0, 6}});
   const Decimal vv = longest(rows, {{0, 0, 6}, {0, 1, -12}, {0, 2, 6}});
   const Decimal uv = longest(rows, {{0, 0, 9}, {1, 0, -9}, {0, 1, -9}, {1, 1, 9}});
   const Decimal at_level_1 = (uu + Decimal(2) * uv + vv) * Decimal(input.px_per_unit) / Decimal(8);
-  int level = 1;
-  while (level < 256 && Decimal(input.tolerance_px) * Decimal(level * level) < at_level_1) ++level;
-  return {input.what,
-          fmt::format("{}\n{} px to a unit, at most {} px; Muu {:.6g}, Muv {:.6g}, Mvv {:.6g}\n"
-                      "glassbox study run D-26",
-                      patch_text(input.patch), input.px_per_unit, input.tolerance_px, double(uu),
-                      double(uv), double(vv)),
-          {numbers("level", {double(level)})}};
+  const auto first_level = [&](const Decimal& left) {
+    int level = 1;
+    while (level < 256 && Decimal(input.tolerance_px) * Decimal(level * level) < left) ++level;
+    return level;
+  };
+  const int level = first_level(at_level_1);
+  Case made{input.what,
+            fmt::format("{}\n{} px to a unit, at most {} px; Muu {:.6g}, Muv {:.6g}, Mvv {:.6g}\n"
+                        "glassbox study run D-26",
+                        patch_text(input.patch), input.px_per_unit, input.tolerance_px, double(uu),
+                        double(uv), double(vv)),
+            {numbers("level", {double(level)})}};
+  const Decimal either(either_level(input));
+  const int lowest = first_level(at_level_1 - either), highest = first_level(at_level_1 + either);
+  if (lowest < highest)
+    made.judge = [lowest, highest, expected = made.expected](const Answer& answer) {
+      const auto* given = find_field(answer, "level");
+      if (given != nullptr && given->size() == 1) {
+        const double each = (*given)[0];
+        if (each >= lowest && each <= highest && each == std::floor(each))
+          return std::optional<Divergence>();
+      }
+      return judge_case({.where = "", .restated = "", .expected = expected}, answer);
+    };
+  return made;
+}
+
+// The lengths of task 8.6 in double, and their sum with px_per_unit / 8. It rounds by less than
+// either_level().
+double nearly_at_level_1(const LevelCase& input) {
+  const auto& p = input.patch.rows;
+  const auto combined = [&](std::size_t j, std::size_t i, std::array<std::size_t, 2> right,
+                            std::array<std::size_t, 2> down, std::array<std::size_t, 2> last) {
+    const Vector<Object, double> v = (p[j + last[0]][i + last[1]] - p[j + right[0]][i + right[1]]) -
+                                     (p[j + down[0]][i + down[1]] - p[j][i]);
+    return std::sqrt(dot(v, v));
+  };
+  double uu = 0, uv = 0, vv = 0;
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = 0; b < 2; ++b) {
+      uu = std::max(uu, combined(a, b, {0, 1}, {0, 1}, {0, 2}));
+      vv = std::max(vv, combined(b, a, {1, 0}, {1, 0}, {2, 0}));
+    }
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < 3; ++i) uv = std::max(uv, combined(j, i, {0, 1}, {1, 0}, {1, 1}));
+  }
+  return (6 * uu + 18 * uv + 6 * vv) * input.px_per_unit / 8;
+}
+
+// Judges in double where that is enough: both sides are further apart than twice the distance at
+// which either answer is right.
+bool right_level(const LevelCase& input, const Answer& answer) {
+  const auto* given = find_field(answer, "level");
+  if (given == nullptr || given->size() != 1) return false;
+  const double level = (*given)[0], either = 2 * either_level(input);
+  if (!(level >= 1 && level <= 256) || level != std::floor(level)) return false;
+  const double left = nearly_at_level_1(input);
+  const auto is_enough = [&](double cells) -> std::optional<bool> {
+    const double apart = input.tolerance_px * cells * cells - left;
+    if (std::abs(apart) <= either) return std::nullopt;
+    return apart > 0;
+  };
+  const std::optional<bool> enough = level == 256 ? true : is_enough(level);
+  const std::optional<bool> too_much = level == 1 ? false : is_enough(level - 1);
+  if (enough && too_much) return *enough && !*too_much;
+  return !judge_case(expect_level(input), answer);
 }
 
 }  // namespace
 
 std::vector<Check> surface_checks() {
-  return {check("a patch in cells", "8.5", "world", patches, expect_patch),
-          check("patches meet", "8.5", "world", seams, expect_seam),
-          hidden_check("other patches in cells", "8.5", "world", hidden_patches, expect_patch),
-          hidden_check("other patches meet", "8.5", "world", hidden_seams, expect_seam),
-          check("the level of a patch", "8.6", "world", levels, expect_level),
-          hidden_check("the level of other patches", "8.6", "world", hidden_levels, expect_level)};
+  return {
+      check("a patch in cells", "8.5", "world", patches, expect_patch),
+      check("patches meet", "8.5", "world", seams, expect_seam),
+      generated_check("any patch", "8.5", "world", generated_patches, expect_patch, right_patch),
+      generated_check("any two patches that meet", "8.5", "world", generated_seams, expect_seam,
+                      right_seam),
+      hidden_check("other patches in cells", "8.5", "world", hidden_patches, expect_patch),
+      hidden_check("other patches meet", "8.5", "world", hidden_seams, expect_seam),
+      check("the level of a patch", "8.6", "world", levels, expect_level),
+      generated_check("the level of any patch", "8.6", "world", generated_levels, expect_level,
+                      right_level),
+      hidden_check("the level of other patches", "8.6", "world", hidden_levels, expect_level)};
 }
 
 }  // namespace glassbox::labs

@@ -1,6 +1,6 @@
 // Calls your functions with the cases of lab 8.
 #include "labs/framework/runner.h"
-#include "cases.h"
+#include "generators.h"
 #include "student.h"
 
 namespace lab_08 {
@@ -79,6 +79,13 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("footprint and mip level", footprints(), put_footprint),
       check("a patch in cells", patches(), put_patch), check("patches meet", seams(), put_seam),
       check("the level of a patch", levels(), put_level),
+      generated_check("any pixel", generated_pixels(), put_pixel),
+      generated_check("any row", generated_rows(), put_span),
+      generated_check("any row and tolerance", generated_choices(), put_choice),
+      generated_check("any footprint", generated_footprints(), put_footprint),
+      generated_check("any patch", generated_patches(), put_patch),
+      generated_check("any two patches that meet", generated_seams(), put_seam),
+      generated_check("the level of any patch", generated_levels(), put_level),
       // BEGIN HIDDEN
       check("texture coordinates at other pixels", hidden_pixels(), put_pixel),
       check("coordinates along other rows", hidden_spans(), put_span),

@@ -23,7 +23,8 @@ using glassbox::Vector;
 
 // A triangle at a pixel centre. edges[k] is the edge function opposite vertex k: an exact integer
 // from 0 to 2^51. edges[k] divided by the sum of the three is the weight of vertex k on the screen.
-// The sum is positive. All 1/w are positive.
+// The sum is positive. 1/w is from 2^-20 to 2^20, and a texture coordinate is 0 or from 2^-20 to
+// 2^20 in magnitude.
 struct PixelOfTriangle {
   std::array<std::int64_t, 3> edges{};
   std::array<float, 3> inverse_w{};
@@ -33,15 +34,16 @@ struct PixelOfTriangle {
 // Task 8.1. (u, v) at the pixel centre, with perspective. Float is precise enough, if you choose
 // well from where you interpolate.
 // Error bound of u (v likewise): 16 u24 (b1 |u1 - u0| + b2 |u2 - u0|) + u24 |u|, where b0, b1, b2
-// are the perspective-correct weights. So a coordinate that is equal at all vertices must be right
-// to its last digit, and coordinates around 10^6 must be as precise as a float can be.
+// are the perspective-correct weights. A coordinate that is the same at all vertices must be exact,
+// and coordinates around 10^6 must be as precise as a float can be.
 std::array<float, 2> texcoord_at(const PixelOfTriangle& at);
 
 // ---- a row of pixels ----
 
 // A row of pixels. From x = 0 to x = `pixels` (on the borders of pixels, not their centres) a
-// texture coordinate, in texels, goes from u0 to u1 and 1/w from inverse_w0 to inverse_w1, both
-// positive. 1 <= pixels <= 4096.
+// texture coordinate, in texels, goes from u0 to u1 and 1/w from inverse_w0 to inverse_w1. 1/w is
+// from 2^-100 to 2^100, and a coordinate is 0 or from 2^-100 to 2^100 in magnitude.
+// 1 <= pixels <= 4096.
 struct Line {
   double u0 = 0, u1 = 0;
   double inverse_w0 = 1, inverse_w1 = 1;
@@ -65,14 +67,17 @@ struct SpanChoice {
 //     |du| (sqrt r - 1) / (sqrt r + 1)
 // gives at most `tolerance` texels in each span of the line, the last one too; and the largest of
 // these errors. du is the change of u over the span, r >= 1 the ratio of the 1/w at its ends. A
-// span of 1 means a division in every pixel, without error. Error bound of the error: 64 R u53 |u|,
-// with R and |u| as in task 8.2. In no test case is the error of a span within a millionth of the
-// tolerance.
+// span of 1 means a division in every pixel, whose error is 0. Error bound of the error: 64 R u53
+// |u|, with R and |u| as in task 8.2. If an error differs from the tolerance by no more than this
+// bound, it may count as above the tolerance or not: either answer is right. The tolerance is 0 or
+// from 2^-130 to 2^110.
 SpanChoice longest_span(const Line& line, double tolerance);
 
 // ---- mip levels ----
 
-// A vertex: its position on the screen, a multiple of 1/256 pixel, 1/w, and texture coordinates.
+// A vertex: its position on the screen, a multiple of 1/256 pixel and at most 2^15 pixels from 0
+// along each axis; 1/w, from 2^-20 to 2^20; and texture coordinates, which are 0 or from 2^-20 to
+// 2^20 in magnitude.
 struct TexturedVertex {
   double x = 0, y = 0;
   double inverse_w = 1;
@@ -90,8 +95,9 @@ struct Footprint {
 };
 
 // Task 8.4. The footprint of the pixel whose centre is (x, y), in a texture of width x height
-// texels. The triangle has a non-zero area on the screen and either winding. The derivatives are
-// exact ones at (x, y), not differences to other pixels.
+// texels, 1 to 2^14 each. The triangle has a non-zero area on the screen and either winding. The
+// centre is in the triangle or on its outline. The derivatives are exact ones at (x, y), not
+// differences to other pixels.
 // Error bound of each derivative: 2048 k^2 (U / e) u53, where U is the largest |u| (or |v|), e the
 // longer side of the triangle's bounding box, and k = (e^2 / twice its area) (largest 1/w / 1/w at
 // the pixel). Error bound of the level: the error of the level that these errors cause.
@@ -101,7 +107,7 @@ Footprint footprint_at(const std::array<TexturedVertex, 3>& triangle, double x, 
 // ---- curved surfaces ----
 
 // A bicubic Bezier patch. u grows along a row, v from row to row, and dS/du x dS/dv points
-// outwards.
+// outwards. A coordinate of a control point is 0 or from 2^-100 to 2^100 in magnitude.
 struct Patch {
   std::array<std::array<Point<Object, double>, 4>, 4> rows;
 };
@@ -115,12 +121,12 @@ struct Tessellation {
 // Positions: S(i / level, j / level) has the index j (level + 1) + i. Error bound of each
 // coordinate: 64 u53 times the largest coordinate in size of a control point. On each of the four
 // borders of the patch a position depends on the four control points of that border only, and has
-// the same bits if they are given in the opposite order: neighbouring patches must meet without a
-// gap.
+// the same bits if they are given in the opposite order (but 0 and -0 count as the same):
+// neighbouring patches must meet without a gap.
 // Triangles: counter-clockwise seen from outside, cell by cell, i fastest. A cell with the corners
 //     a = (i, j), b = (i + 1, j), c = (i + 1, j + 1), d = (i, j + 1)
-// is (a, b, c) and then (a, c, d). If the four points of rows[0] are the same, that row is a pole,
-// and the cells at j = 0 are (a, c, d) alone.
+// is (a, b, c) and then (a, c, d). If the four points of rows[0] are exactly the same, that row is
+// a pole, and the cells at j = 0 are (a, c, d) alone. No other row or column counts as a pole.
 Tessellation tessellate(const Patch& patch, int level);
 
 // Task 8.6. The smallest level from 1 to 256 for which
@@ -129,8 +135,10 @@ Tessellation tessellate(const Patch& patch, int level);
 // points of the patch's second derivatives, over all i and j:
 //     Muu: 6 (P[j][i + 2] - 2 P[j][i + 1] + P[j][i])      Mvv: the same along j
 //     Muv: 9 (P[j + 1][i + 1] - P[j + 1][i] - P[j][i + 1] + P[j][i])
-// with P[j][i] = rows[j][i]. Exact: in no test case is the left side within a millionth of the
-// tolerance, for any level.
+// with P[j][i] = rows[j][i]. px_per_unit and tolerance_px are from 2^-100 to 2^100.
+// The differences of control points round. So if the two sides of the formula differ by no more
+// than 512 u53 C px_per_unit / level^2 for a level, where C is the largest coordinate of a control
+// point in size, that level may count as enough or not: either answer is right.
 int patch_level(const Patch& patch, double px_per_unit, double tolerance_px);
 
 }  // namespace lab_08
