@@ -228,14 +228,14 @@ Case expect_screen(const lab_04::ViewportCase& input) {
   const Rational half = Rational(1) / Rational(2);
   const Rational x = Rational(v.left) + (Rational(p.x) + Rational(1)) * half * Rational(v.width);
   const Rational y = Rational(v.top) + (Rational(1) - Rational(p.y)) * half * Rational(v.height);
-  const auto [x_bound, y_bound] = screen_bounds(input);
+  const std::array<double, 2> bounds = screen_bounds(input);
   const auto expected = [&](double off) {
     return std::vector{
-        point("screen", {double(x) + off, double(y) + off}, std::max(x_bound, y_bound), "px"),
+        point("screen", {double(x) + off, double(y) + off}, std::max(bounds[0], bounds[1]), "px"),
         numbers("depth", {p.z}, 0, "depth")};
   };
   const std::vector<Expected> right = expected(0);
-  const auto judge = [right, bounds = std::array{x_bound, y_bound}](const Answer& answer) {
+  const auto judge = [right, bounds](const Answer& answer) {
     if (auto found = compare(right[0], answer).first) return found;
     // x and y have bounds of their own.
     Expected each = right[0];

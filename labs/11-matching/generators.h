@@ -154,7 +154,7 @@ inline std::vector<int> list_of_costs(Choices& c, int count) {
 inline PathCase one_path(Choices& c, int most_pixels, int most_disparities) {
   const int disparities = 1 + int(c.below(std::uint64_t(most_disparities)));
   const int pixels = 1 + int(c.below(std::uint64_t(most_pixels)));
-  // Of every size; P1 is often 0 or P2.
+  // The penalties have every size; P1 is often 0 or P2.
   const std::int64_t p2 = std::abs(c.sized(16));
   const std::int64_t p1 = c.one_of<std::int64_t>({0, p2, c.integer(0, p2), c.integer(0, p2 / 4)});
   return {"a path", list_of_costs(c, pixels * disparities), disparities, int(p1), int(p2)};
