@@ -56,6 +56,7 @@ const std::string kSpy = R"cpp(#include "student.h"
                                  std::string name;
                                  int cases = 0;
                                  std::function<void(int, Answer&)> run;
+                                 std::vector<int> generated;  // of the same size as the runner's
                                };
                                std::vector<RunnerCheck> runner_checks();
                                }  // namespace glassbox::labs
