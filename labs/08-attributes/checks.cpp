@@ -460,20 +460,24 @@ bool right_footprint(const FootprintCase& input, const Answer& answer) {
                                  std::hypot(input.width * u[1], input.height * v[1]));
   const double of_length = std::hypot(input.width * u_bound, input.height * v_bound);
   const double last = std::log2(double(std::max(input.width, input.height)));
-  // The length is off by a thirty-ninth of `of_length` at most. While that is small, the level is
-  // off by no more than half of its bound. Next to 0 and to the last level, where the level's slope
-  // changes, exact numbers decide.
-  const double reach = longer + 2 * of_length, least = longer - 2 * of_length;
+  // The exact length is between `least` and `most`, since the length in double is off by a
+  // thirty-ninth of `of_length` at most. The level never decreases with the length, which gives the
+  // least and the largest value that its distance and its bound can have. Half of the bound's last
+  // term, for roundings, is left for those of this computation.
+  const auto level_of = [last](double length) {
+    return length <= 1 ? 0 : std::min(std::log2(length), last);
+  };
+  const double least = longer - of_length / 32, most = longer + of_length / 32;
+  const double lowest = level_of(least), highest = level_of(most);
+  const double up = level_of(least + of_length) - highest;
+  const double down = lowest - level_of(most - of_length);
+  const double largest_up = level_of(most + of_length) - lowest;
+  const double largest_down = highest - level_of(least - of_length);
   const double level = number_in(answer, "level");
-  if (u_judged && v_judged) {
-    if (reach < 1 && of_length < 0x1p-10) return std::abs(level) <= 16 * u53 * last;
-    if (of_length < longer / 64 && least > 1 && reach < std::ldexp(1.0, int(last))) {
-      const double bound = of_length / longer / std::log(2.0) + 16 * u53 * last;
-      const double distance = std::abs(level - std::log2(longer));
-      if (distance <= bound / 2) return true;
-      if (!(distance <= 2 * bound)) return false;
-    }
-  }
+  const double reach = std::max(largest_up, largest_down) + 32 * u53 * last;
+  if (!(level >= lowest - reach && level <= highest + reach)) return false;
+  const double distance = std::max(std::abs(level - lowest), std::abs(level - highest));
+  if (u_judged && v_judged && distance <= std::max({up, down, 0.0}) + 8 * u53 * last) return true;
   return !judge_case(expect_footprint(input), answer);
 }
 

@@ -218,7 +218,7 @@ inline std::vector<InputClass<SpanCase>> generated_rows() {
              const int every = c.flag() ? pixels : 1;
              return SpanCase{"a row", any_line(c, pixels), every};
            }},
-          {"rows up to 4096 pixels", 600, [](Choices& c) {
+          {"rows up to 4096 pixels", 300, [](Choices& c) {
              const int pixels = c.flag() ? any_pixels(c, 12) : 4096 - int(c.below(100));
              return one_row(c, pixels);
            }}};
@@ -489,10 +489,13 @@ inline std::vector<InputClass<PatchCase>> generated_patches() {
              const int level = 1 + int(c.below(40));
              return one_patch(c.flag() ? any_patch(c) : patch_with_equal_points(c), level);
            }},
-          {"up to 256 x 256 cells", 4, [](Choices& c) {
-             const int level = c.flag() ? 256 : 100 + int(c.below(156));
+          // The answers to a class may have 64 MiB, of which 256 x 256 cells take a quarter.
+          {"100 to 255 cells along a side", 1,
+           [](Choices& c) {
+             const int level = 100 + int(c.below(156));
              return one_patch(any_patch(c), level);
-           }}};
+           }},
+          {"256 x 256 cells", 1, [](Choices& c) { return one_patch(any_patch(c), 256); }}};
 }
 
 // Two patches with a common border, each of which has other points everywhere else.
@@ -544,10 +547,10 @@ inline LevelCase one_point_moved(Choices& c) {
 // `level` cells just reach, or one beside it. The left side is (12 |a| + 18 |d| + 12 |b|)
 // px_per_unit / (8 level^2).
 inline LevelCase tolerance_at_border(Choices& c) {
-  const auto exponent = int(c.integer(-90, 90));
-  const double a = std::ldexp(double(c.integer(-8, 8)), exponent);
-  const double b = std::ldexp(double(c.integer(-8, 8)), exponent);
-  const double d = std::ldexp(double(c.integer(-8, 8)), exponent);
+  const auto exponent = int(c.integer(-90, 89));
+  const double unit = std::ldexp(positive(c, 0, 1), exponent);
+  const double a = double(c.integer(-8, 8)) * unit, b = double(c.integer(-8, 8)) * unit;
+  const double d = double(c.integer(-8, 8)) * unit;
   const auto axis = c.below(3);
   Patch patch;
   for (std::size_t j = 0; j < 4; ++j) {
