@@ -67,25 +67,8 @@ Case expect_any_text(const AnyText& input) {
           tables_of(input)};
 }
 
-// Whether an answer's field has these numbers, each within the bound.
-bool are_near(const Answer& answer, const std::string& field, const std::vector<double>& right,
-              double bound) {
-  const auto* values = find_field(answer, field);
-  if (values == nullptr || values->size() != right.size()) return false;
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    if (!(distance_between(right[i], (*values)[i]) <= bound)) return false;
-  }
-  return true;
-}
-
-bool are_near(const Answer& answer, const std::vector<Expected>& all) {
-  return std::all_of(all.begin(), all.end(), [&](const Expected& each) {
-    return are_near(answer, each.field, each.values, each.bound);
-  });
-}
-
 bool right_text(const AnyText& input, const Answer& answer) {
-  return are_near(answer, tables_of(input));
+  return has_fields(answer, tables_of(input));
 }
 
 // ---- adjacency ----
@@ -125,7 +108,7 @@ Case expect_edges(const MeshCase& input) {
 }
 
 bool right_edges(const MeshCase& input, const Answer& answer) {
-  return are_near(answer, edges_of(input.mesh));
+  return has_fields(answer, edges_of(input.mesh));
 }
 
 // Which faces must be turned. The first face of each connected group is not turned; the decisions
@@ -176,7 +159,7 @@ Case expect_any_turns(const MeshCase& input) {
 }
 
 bool right_turns(const MeshCase& input, const Answer& answer) {
-  return are_near(answer, any_turns_of(input.mesh));
+  return has_fields(answer, any_turns_of(input.mesh));
 }
 
 Case expect_sides(const SidesCase& input) {
@@ -216,7 +199,7 @@ Case expect_newell(const PolygonCase& input) {
 }
 
 bool right_newell(const PolygonCase& input, const Answer& answer) {
-  return are_near(answer, newell_of(input));
+  return has_fields(answer, newell_of(input));
 }
 
 // The components of the cross product and the dot product are exact in double, so only the square,
@@ -241,7 +224,7 @@ Case expect_angle(const AngleCase& input) {
 }
 
 bool right_angle(const AngleCase& input, const Answer& answer) {
-  return are_near(answer, angle_of(input));
+  return has_fields(answer, angle_of(input));
 }
 
 }  // namespace

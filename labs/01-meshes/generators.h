@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases.h"
+#include "labs/framework/bezout.h"
 #include "labs/framework/choices.h"
 
 namespace lab_01 {
@@ -359,14 +360,7 @@ inline AngleCase small_angle(Choices& c) {
 // product is the greatest common divisor of the first one's components.
 inline AngleCase smallest_angle(Choices& c) {
   const std::int64_t x = c.sized(23), y = c.sized(23);
-  // Euclid's algorithm, which keeps each remainder as a sum u x + v y.
-  std::int64_t r = x, u = 1, v = 0, next_r = y, next_u = 0, next_v = 1;
-  while (next_r != 0) {
-    const std::int64_t q = r / next_r;
-    r = std::exchange(next_r, r - q * next_r);
-    u = std::exchange(next_u, u - q * next_u);
-    v = std::exchange(next_v, v - q * next_v);
-  }
+  const auto [u, v] = glassbox::labs::bezout(x, y);
   const std::int64_t sign = c.flag() ? -1 : 1;
   const std::size_t i = c.below(3), j = (i + 1) % 3;
   std::int64_t a[3] = {}, b[3] = {};

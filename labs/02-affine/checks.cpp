@@ -91,21 +91,10 @@ Case expect_any_turn(const TurnCase& input) {
   return c;
 }
 
-// Whether an answer's field has these numbers, each within the bound.
-bool are_near(const Answer& answer, const char* field, const std::vector<double>& right,
-              double bound) {
-  const auto* values = find_field(answer, field);
-  if (values == nullptr || values->size() != right.size()) return false;
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    if (!(distance_between(right[i], (*values)[i]) <= bound)) return false;
-  }
-  return true;
-}
-
 bool right_turn(const TurnCase& input, const Answer& answer) {
   const Map m = turn_about_centre({input.centre.x, input.centre.y, 0}, input.degrees);
-  return are_near(answer, "matrix", entries_of_plane(m), turn_bound(input.centre)) &&
-         are_near(answer, "last row", {0, 0, 1}, 0);
+  return has_numbers(answer, "matrix", entries_of_plane(m), turn_bound(input.centre)) &&
+         has_numbers(answer, "last row", {0, 0, 1}, 0);
 }
 
 // ---- steps ----
@@ -184,8 +173,8 @@ bool right_composition(const ComposeCase& input, const Answer& answer) {
     all = m * all;
     norms *= norm(m);
   }
-  return are_near(answer, "world_from_object", entries(all),
-                  composition_bound(input.steps.size(), norms));
+  return has_numbers(answer, "world_from_object", entries(all),
+                     composition_bound(input.steps.size(), norms));
 }
 
 Case expect_composition(const ComposeCase& input) {
@@ -292,11 +281,11 @@ Case expect_any_fit(const FitCase& input) {
 
 bool right_fit(const FitCase& input, const Answer& answer) {
   const auto fit = exact_fit(input);
-  if (!fit) return are_near(answer, "there is a map", {0}, 0);
-  return are_near(answer, "there is a map", {1}, 0) &&
-         are_near(answer, "linear part", fit->linear, fit->bound) &&
-         are_near(answer, "last column", fit->last, fit->last_bound) &&
-         are_near(answer, "last row", {0, 0, 1}, 0);
+  if (!fit) return has_numbers(answer, "there is a map", {0}, 0);
+  return has_numbers(answer, "there is a map", {1}, 0) &&
+         has_numbers(answer, "linear part", fit->linear, fit->bound) &&
+         has_numbers(answer, "last column", fit->last, fit->last_bound) &&
+         has_numbers(answer, "last row", {0, 0, 1}, 0);
 }
 
 Case expect_fit(const FitCase& input) {
@@ -388,8 +377,8 @@ constexpr double kAxisBound = 32 * u;  // and the bound of the angle's relative 
 
 bool right_axis(const RotationCase& q, const Answer& answer) {
   const Turn turn = turn_of(q);
-  return are_near(answer, "axis", turn.axis, kAxisBound) &&
-         are_near(answer, "angle", {turn.angle}, kAxisBound * turn.angle);
+  return has_numbers(answer, "axis", turn.axis, kAxisBound) &&
+         has_numbers(answer, "angle", {turn.angle}, kAxisBound * turn.angle);
 }
 
 Case expect_axis(const RotationCase& q) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases.h"
+#include "labs/framework/bezout.h"
 #include "labs/framework/choices.h"
 
 namespace lab_02 {
@@ -210,14 +211,7 @@ inline FitCase needle(Choices& c) {
   const bool of_any_size = !c.flag();
   const std::int64_t dx = of_any_size ? c.sized(20) : c.integer(-2 * kFarthest, 2 * kFarthest);
   const std::int64_t dy = of_any_size ? c.sized(20) : c.integer(-2 * kFarthest, 2 * kFarthest);
-  // Euclid's algorithm, which keeps each remainder as a sum u dx + v dy.
-  std::int64_t r = dx, u = 1, v = 0, next_r = dy, next_u = 0, next_v = 1;
-  while (next_r != 0) {
-    const std::int64_t q = r / next_r;
-    r = std::exchange(next_r, r - q * next_r);
-    u = std::exchange(next_u, u - q * next_u);
-    v = std::exchange(next_v, v - q * next_v);
-  }
+  const auto [u, v] = glassbox::labs::bezout(dx, dy);
   const std::int64_t off = c.integer(-3, 3);
   std::int64_t x = -off * v, y = off * u;
   if (x * dx + y * dy < 0) x += dx, y += dy;  // not behind the edge's first point

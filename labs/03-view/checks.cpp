@@ -129,20 +129,9 @@ Case expect_uvn(const CameraCase& input) {
   return expect_view(input, uvn_bounds(input.camera));
 }
 
-// Whether an answer's field has the numbers, each within the bound.
-template <class Numbers>
-bool are_near(const Answer& answer, const char* field, const Numbers& right, double bound) {
-  const auto* values = find_field(answer, field);
-  if (values == nullptr || values->size() != right.size()) return false;
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    if (!(distance_between(right[i], (*values)[i]) <= bound)) return false;
-  }
-  return true;
-}
-
 bool right_view(const Transform<Eye, World>& view, const Answer& answer, const Bounds& bounds) {
-  return are_near(answer, "rotation", entries(view, 3, 3), bounds.rotation) &&
-         are_near(answer, "eye_from_world", entries(view), bounds.view);
+  return has_numbers(answer, "rotation", entries(view, 3, 3), bounds.rotation) &&
+         has_numbers(answer, "eye_from_world", entries(view), bounds.view);
 }
 
 // A camera that may have no view.
@@ -162,7 +151,7 @@ bool right_uvn(const CameraCase& input, const Answer& answer) {
   const Camera& camera = input.camera;
   const auto view = look_at(camera.eye, camera.target, camera.up);
   const std::vector<double> there{view ? 1.0 : 0.0};
-  if (!are_near(answer, "there is a view", there, 0)) return false;
+  if (!has_numbers(answer, "there is a view", there, 0)) return false;
   return !view || right_view(*view, answer, uvn_bounds(camera));
 }
 
@@ -334,7 +323,7 @@ Case expect_any_onto(const OntoCase& input) {
 bool right_onto(const OntoCase& input, const Answer& answer) {
   if (are_opposite(input)) return !judge_half_turn(input, answer);
   const Onto onto = onto_of(input);
-  return are_near(answer, "rotation", onto.rotation, onto.bound);
+  return has_numbers(answer, "rotation", onto.rotation, onto.bound);
 }
 
 // ---- mirrors and hands ----
@@ -348,7 +337,7 @@ std::vector<double> kind_numbers(const KindCase& input) {
 }
 
 bool right_kind(const KindCase& input, const Answer& answer) {
-  return are_near(answer, "neither, rotation, mirror", kind_numbers(input), 0);
+  return has_numbers(answer, "neither, rotation, mirror", kind_numbers(input), 0);
 }
 
 Case expect_kind(const KindCase& input) {
@@ -385,7 +374,7 @@ Case expect_any_hand(const ProjectionCase& input) {
 }
 
 bool right_hand(const ProjectionCase& input, const Answer& answer) {
-  return are_near(answer, "clip_from_eye", for_the_other_hand(input), 0);
+  return has_numbers(answer, "clip_from_eye", for_the_other_hand(input), 0);
 }
 
 }  // namespace

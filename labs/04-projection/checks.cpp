@@ -307,25 +307,6 @@ Case expect_view(const lab_04::Camera& camera) {
           .expected = {refused, matrix("clip_from_eye", 4, {})}};
 }
 
-// Judges an answer by values that are computed in double. They differ from the expected ones by at
-// most half of the bound; so an answer within half of the bound of them is right, and one that
-// differs by more than twice the bound is wrong. Between the two only exact numbers tell, and there
-// is no value.
-std::optional<bool> judge_nearly(const std::vector<double>& nearly, double bound,
-                                 const std::vector<double>* actual) {
-  if (actual == nullptr || actual->size() != nearly.size()) return false;
-  double distance = 0;
-  for (std::size_t i = 0; i < nearly.size(); ++i)
-    distance = std::max(distance, distance_between(nearly[i], (*actual)[i]));
-  if (distance <= bound / 2) return true;
-  if (distance > 2 * bound) return false;
-  return std::nullopt;
-}
-
-std::optional<bool> judge_nearly(const Expected& nearly, const Answer& answer) {
-  return judge_nearly(nearly.values, nearly.bound, find_field(answer, nearly.field));
-}
-
 bool right_view(const lab_04::Camera& camera, const Answer& answer) {
   const bool valid = perspective_of(camera).has_value();
   const auto* refused = find_field(answer, "refused");

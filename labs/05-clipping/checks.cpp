@@ -105,11 +105,6 @@ Case expect_verdict(const std::vector<std::uint32_t>& codes) {
 
 // ---- generated inputs ----
 
-bool is_number(const Answer& answer, const char* field, double right) {
-  const auto* values = find_field(answer, field);
-  return values != nullptr && values->size() == 1 && (*values)[0] == right;
-}
-
 // In steps of 1/16 all numbers are whole. With fewer than 2^4 corners Newell's sums are below
 // 2^(14 + 14 + 4), and the dot product is below 2^48.
 bool right_face(const lab_05::FaceCase& questions, const Answer& answer) {
@@ -128,15 +123,15 @@ bool right_face(const lab_05::FaceCase& questions, const Answer& answer) {
   }
   const Whole p = whole(face[0]), e = whole(eye);
   const std::int64_t value = (p[0] - e[0]) * m[0] + (p[1] - e[1]) * m[1] + (p[2] - e[2]) * m[2];
-  return is_number(answer, "back", value > 0 ? 1 : 0);
+  return has_numbers(answer, "back", {value > 0 ? 1.0 : 0.0});
 }
 
 bool right_outcode(const Point<Clip>& p, const Answer& answer) {
-  return is_number(answer, "outcode", outcode_by(p, false));
+  return has_numbers(answer, "outcode", {double(outcode_by(p, false))});
 }
 
 bool right_verdict(const std::vector<std::uint32_t>& codes, const Answer& answer) {
-  return is_number(answer, "verdict", double(trivial_verdict(codes)));
+  return has_numbers(answer, "verdict", {double(trivial_verdict(codes))});
 }
 
 }  // namespace

@@ -275,38 +275,34 @@ Case expect_tiles(const TileCase& input) {
   return made;
 }
 
-// ---- generated inputs, of which each has one number but the coverage ----
-
-bool is_number(const Answer& answer, const char* field, double right) {
-  const auto* values = find_field(answer, field);
-  return values != nullptr && values->size() == 1 && (*values)[0] == right;
-}
+// ---- generated inputs; each answer is one number, except for a coverage ----
 
 bool right_snap(const SnapCase& input, const Answer& answer) {
-  return is_number(answer, "steps", glassbox::snap(input.pixels[0]));
+  return has_numbers(answer, "steps", {double(glassbox::snap(input.pixels[0]))});
 }
 
 bool right_edge(const EdgeCase& input, const Answer& answer) {
   const auto& [a, b, p] = input.samples[0];
-  return is_number(answer, "edge function", double(double_area(a, b, p)));
+  return has_numbers(answer, "edge function", {double(double_area(a, b, p))});
 }
 
 bool right_owner(const EdgeCase& input, const Answer& answer) {
-  return is_number(answer, "owned", top_left(input.samples[0][0], input.samples[0][1]) ? 1 : 0);
+  return has_numbers(answer, "owned",
+                     {top_left(input.samples[0][0], input.samples[0][1]) ? 1.0 : 0.0});
 }
 
 bool right_coverage(const CoverageCase& input, const Answer& answer) {
   const auto* times = find_field(answer, "times covered");
   return times != nullptr && *times == coverage_of(input, true, true).values &&
-         is_number(answer, "outside the window", 0);
+         has_numbers(answer, "outside the window", {0});
 }
 
 bool right_apex(const PolygonsCase& input, const Answer& answer) {
-  return is_number(answer, "apex", glassbox::fan_apex(input.polygons[0]));
+  return has_numbers(answer, "apex", {double(glassbox::fan_apex(input.polygons[0]))});
 }
 
 bool right_tile(const TileCase& input, const Answer& answer) {
-  return is_number(answer, "tiles", int(cover_by(kRule, input.triangle, input.tiles[0])));
+  return has_numbers(answer, "tiles", {double(cover_by(kRule, input.triangle, input.tiles[0]))});
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases.h"
+#include "labs/framework/bezout.h"
 #include "labs/framework/choices.h"
 
 namespace lab_06 {
@@ -87,14 +88,7 @@ struct VectorAndPoint {
 };
 inline VectorAndPoint vector_and_point(Choices& c) {
   const SnappedVertex d{any_position(c), any_position(c)};
-  // Euclid's algorithm, which keeps each remainder as a sum u d.x + v d.y.
-  std::int64_t r = d.x, u = 1, v = 0, next_r = d.y, next_u = 0, next_v = 1;
-  while (next_r != 0) {
-    const std::int64_t q = r / next_r;
-    r = std::exchange(next_r, r - q * next_r);
-    u = std::exchange(next_u, u - q * next_u);
-    v = std::exchange(next_v, v - q * next_v);
-  }
+  const auto [u, v] = glassbox::labs::bezout(d.x, d.y);
   return {d, {std::int32_t(-v), std::int32_t(u)}};
 }
 

@@ -50,10 +50,6 @@ StereoPair pair_of(const Pair& pair) {
   return {pair.half_separation, pair.window};
 }
 
-bool fits(const Answer& answer, std::vector<Expected> expected) {
-  return !judge_case({.where = "", .restated = "", .expected = std::move(expected)}, answer);
-}
-
 // ---- projections ----
 
 std::vector<Expected> projection_fields(lab_09::Side side, const Matrix4<Rational>& m,
@@ -95,7 +91,7 @@ bool right_projection(const ProjectionCase& input, const Answer& answer) {
     fields.push_back(matrix(name_of_eye(side) + ", row of x", 4, x, projection_bound(input)));
     fields.push_back(matrix(name_of_eye(side) + ", rows of y, z, w", 4, others));
   }
-  return fits(answer, std::move(fields));
+  return has_fields(answer, std::move(fields));
 }
 
 Case expect_projection(const ProjectionCase& input) {
@@ -214,7 +210,7 @@ Case expect_any_parallax(const ParallaxCase& input) {
 }
 
 bool right_parallax(const ParallaxCase& input, const Answer& answer) {
-  return fits(answer, parallax_fields(input));
+  return has_fields(answer, parallax_fields(input));
 }
 
 // ---- culling ----
@@ -342,7 +338,7 @@ Case expect_any_comfort(const ComfortCase& input) {
 }
 
 bool right_comfort(const ComfortCase& input, const Answer& answer) {
-  return fits(answer, comfort_fields(input));
+  return has_fields(answer, comfort_fields(input));
 }
 
 }  // namespace

@@ -88,18 +88,6 @@ Case expect_centre(const PoseCase& input) {
                       {"row-column-order", expected(-(r * t))}}};
 }
 
-// Whether an answer with these fields is right: no judge of its own is needed where the comparison
-// with the expected fields says the same.
-bool as_expected(const std::vector<Expected>& expected, const Answer& answer) {
-  return std::ranges::all_of(expected, [&](const Expected& e) {
-    const auto* values = find_field(answer, e.field);
-    if (values == nullptr || values->size() != e.values.size()) return false;
-    for (std::size_t i = 0; i < values->size(); ++i) {
-      if (!(distance_between(e.values[i], (*values)[i]) <= e.bound)) return false;
-    }
-    return true;
-  });
-}
 // The judge of a case in which more than one answer is right.
 std::function<std::optional<Divergence>(const Answer&)> judged_by(
     const std::vector<Expected>& expected, std::function<bool(const Answer&)> is_right) {
@@ -210,7 +198,7 @@ Case expect_normaliser(const PointsCase& input) {
           expected_normaliser(input)};
 }
 bool right_normaliser(const PointsCase& input, const Answer& answer) {
-  return as_expected(expected_normaliser(input), answer);
+  return has_fields(answer, expected_normaliser(input));
 }
 
 // Whether two entries of different signs are the largest ones to within the bound, so that rounding
@@ -242,7 +230,7 @@ Case expect_matrix_of_matches(const MatchesCase& input) {
   if (has_two_largest(solution.essential, solution.bound)) {
     made.judge = judged_by(
         made.expected, [made, negated = expected(-solution.essential)](const Answer& answer) {
-          return as_expected(made.expected, answer) || as_expected(negated, answer);
+          return has_fields(answer, made.expected) || has_fields(answer, negated);
         });
   }
   return made;
@@ -337,12 +325,12 @@ bool right_matrix(const PoseCase& input, const Answer& answer) {
   const Wide e =
       views::essential<long double>(wide(input.pose.rotation), wide(input.pose.translation));
   const double bound = 4 * u * vector_of(input.pose.translation).norm();
-  return as_expected({matrix("E", 3, rounded(e), bound)}, answer);
+  return has_fields(answer, {matrix("E", 3, rounded(e), bound)});
 }
 bool right_centre(const PoseCase& input, const Answer& answer) {
   const WideVector t = -(wide(input.pose.rotation).transpose() * wide(input.pose.translation));
   const double bound = 8 * u * vector_of(input.pose.translation).norm();
-  return as_expected({point("T", rounded(t), bound, "world units")}, answer);
+  return has_fields(answer, {point("T", rounded(t), bound, "world units")});
 }
 
 }  // namespace

@@ -131,57 +131,46 @@ Case expect_depth(const DepthCase& input) {
 
 // ---- generated inputs ----
 
-bool are_numbers(const Answer& answer, const char* field, const std::vector<double>& right) {
-  const auto* values = find_field(answer, field);
-  return values != nullptr && *values == right;
-}
-
-// Within the bound of the one number of the field; an infinite number must be infinite.
-bool is_near(const Answer& answer, const char* field, double right, double bound) {
-  const auto* values = find_field(answer, field);
-  if (values == nullptr || values->size() != 1) return false;
-  return (*values)[0] == right || std::abs((*values)[0] - right) <= bound;
-}
-
 bool right_square(const SadCase& input, const Answer& answer) {
   const Place& p = input.places[0];
   const double sum = matching::sad({&input.left, &input.right, -1}, p.x, p.y, p.d, input.radius);
-  return are_numbers(answer, "sums", {sum});
+  return has_numbers(answer, "sums", {sum});
 }
 
 bool right_word(const CensusCase& input, const Answer& answer) {
   const Place& p = input.places[0];
-  return are_numbers(answer, "words", {double(matching::census(input.picture, p.x, p.y))});
+  return has_numbers(answer, "words", {double(matching::census(input.picture, p.x, p.y))});
 }
 
 bool right_bits(const HammingCase& input, const Answer& answer) {
-  return are_numbers(answer, "bits", {double(matching::hamming(input.a, input.b))});
+  return has_numbers(answer, "bits", {double(matching::hamming(input.a, input.b))});
 }
 
 bool right_path(const PathCase& input, const Answer& answer) {
-  return are_numbers(
+  return has_numbers(
       answer, "sums",
       doubles(matching::along_path(input.costs, input.disparities, input.p1, input.p2)));
 }
 
 bool right_best(const WinnerCase& input, const Answer& answer) {
   const double d = matching::winner(input.costs);
-  return is_near(answer, "disparity", d, std::isinf(d) ? 0 : matching::kWinnerBound * (1 + d));
+  return has_numbers(answer, "disparity", {d},
+                     std::isinf(d) ? 0 : matching::kWinnerBound * (1 + d));
 }
 
 bool right_row(const RowCase& input, const Answer& answer) {
-  return are_numbers(answer, "disparities",
+  return has_numbers(answer, "disparities",
                      matching::right_winners(input.costs, input.width, input.disparities));
 }
 
 bool right_confirmed(const CheckCase& input, const Answer& answer) {
-  return are_numbers(answer, "disparities",
+  return has_numbers(answer, "disparities",
                      matching::left_right_check(input.left, input.right, input.tolerance));
 }
 
 bool right_depth(const DepthCase& input, const Answer& answer) {
   const double z = matching::depth(input.disparity, input.calibration);
-  return is_near(answer, "depth", z, std::isinf(z) ? 0 : matching::kDepthBound * z);
+  return has_numbers(answer, "depth", {z}, std::isinf(z) ? 0 : matching::kDepthBound * z);
 }
 
 }  // namespace

@@ -92,36 +92,27 @@ Case expect_coloured(const SweepCase& input) {
 
 // ---- generated inputs: what judging the case says, without texts ----
 
-bool is_field(const Answer& answer, const char* field, const std::vector<double>& right,
-              double bound = 0) {
-  const auto* actual = find_field(answer, field);
-  return actual != nullptr &&
-         std::ranges::equal(*actual, right, [&](double given, double expected) {
-           return distance_between(expected, given) <= bound;
-         });
-}
-
 bool right_kind(const OrderCase& input, const Answer& answer) {
   const Order right = voxels::classify(input.cameras, input.box);
-  return is_field(answer, "kind", {double(right.kind)}) &&
-         is_field(answer, "away",
-                  {double(right.away[0]), double(right.away[1]), double(right.away[2])});
+  return has_numbers(answer, "kind", {double(right.kind)}) &&
+         has_numbers(answer, "away",
+                     {double(right.away[0]), double(right.away[1]), double(right.away[2])});
 }
 
 bool right_deviation(const ColoursCase& input, const Answer& answer) {
   const Statistics right = voxels::statistics(input.colours);
-  return is_field(answer, "mean", {right.mean[0], right.mean[1], right.mean[2]},
-                  voxels::mean_bound(input.colours)) &&
-         is_field(answer, "deviation", {right.deviation},
-                  voxels::deviation_bound(input.colours, right.deviation));
+  return has_numbers(answer, "mean", {right.mean[0], right.mean[1], right.mean[2]},
+                     voxels::mean_bound(input.colours)) &&
+         has_numbers(answer, "deviation", {right.deviation},
+                     voxels::deviation_bound(input.colours, right.deviation));
 }
 
 bool right_verdict(const JudgeCase& input, const Answer& answer) {
-  return is_field(answer, "verdict", {double(voxels::judge(input.pictures, input.threshold))});
+  return has_numbers(answer, "verdict", {double(voxels::judge(input.pictures, input.threshold))});
 }
 
 bool right_pixels(const FootprintCase& input, const Answer& answer) {
-  return is_field(answer, "columns and rows", columns_and_rows(input));
+  return has_numbers(answer, "columns and rows", columns_and_rows(input));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "labs/framework/batch.h"
 
-#include <numeric>
+#include <algorithm>
 
 #include "labs/framework/compare.h"
 #include "labs/framework/varied_inputs.h"
@@ -66,17 +66,12 @@ std::vector<std::uint64_t> choices_of(const GeneratedInputs& inputs, std::size_t
   return choices.made();
 }
 
-std::vector<std::size_t> wrong_inputs(const GeneratedInputs& inputs, const Answer& batch) {
+std::vector<std::size_t> wrong_inputs(const GeneratedInputs& inputs,
+                                      const std::vector<Answer>& answers) {
   std::vector<std::size_t> wrong;
-  const auto answers = split_batch(batch, std::size_t(inputs.count));
-  if (!answers) {
-    wrong.resize(std::size_t(inputs.count));
-    std::iota(wrong.begin(), wrong.end(), std::size_t(0));
-    return wrong;
-  }
-  for (std::size_t i = 0; i < answers->size(); ++i) {
+  for (std::size_t i = 0; i < answers.size(); ++i) {
     Choices choices(input_seed(inputs_seed(), inputs.what, int(i)));
-    if (!inputs.is_right(choices, (*answers)[i])) wrong.push_back(i);
+    if (!inputs.is_right(choices, answers[i])) wrong.push_back(i);
   }
   return wrong;
 }

@@ -18,7 +18,8 @@ std::optional<std::vector<Answer>> split_batch(const Answer& batch, std::size_t 
 // The choices that make input number `index` of the class with the seed of inputs_seed().
 std::vector<std::uint64_t> choices_of(const GeneratedInputs& inputs, std::size_t index);
 
-// The numbers of those inputs whose answers are wrong; all of them if the batch cannot be split.
-std::vector<std::size_t> wrong_inputs(const GeneratedInputs& inputs, const Answer& batch);
+// The numbers of those inputs whose answers are wrong.
+std::vector<std::size_t> wrong_inputs(const GeneratedInputs& inputs,
+                                      const std::vector<Answer>& answers);
 
 }  // namespace glassbox::labs

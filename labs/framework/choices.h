@@ -4,8 +4,11 @@
 // wrong (shrink.h). The idea is that of Hypothesis (MacIver and Donaldson, "Test-case reduction via
 // test-case generation", ECOOP 2020).
 //
-// A generator, Input make(Choices&), computes only with + - * /, std::ldexp, std::nextafter and
-// other exact functions, so that runner and judge make the same numbers on every machine.
+// A generator, Input make(Choices&), computes only with + - * /, std::sqrt, std::ldexp,
+// std::nextafter and other functions whose results are rounded as IEEE 754 says, and draws one
+// choice in a statement, because the order of a call's arguments is the compiler's. So runner and
+// judge make the same numbers on every machine. Neither of them is compiled with contraction of
+// a * b + c into one rounding.
 #pragma once
 
 #include <algorithm>
@@ -42,6 +45,7 @@ public:
   bool flag() { return below(2) == 1; }
 
   // A whole number in [low, high], each equally likely. The one nearest to 0 is the simplest.
+  // high - low < 2^63.
   std::int64_t integer(std::int64_t low, std::int64_t high) {
     const std::int64_t simplest = std::clamp<std::int64_t>(0, low, high);
     const auto chosen = std::int64_t(below(std::uint64_t(high - low) + 1));
@@ -53,7 +57,7 @@ public:
   }
 
   // A whole number in [-2^bits, 2^bits] of any size: each number of binary digits is equally
-  // likely. bits < 63.
+  // likely. bits < 62.
   std::int64_t sized(int bits) {
     const auto digits = std::uint64_t(below(std::uint64_t(bits) + 1));
     return integer(-(std::int64_t(1) << digits), std::int64_t(1) << digits);
@@ -85,6 +89,9 @@ public:
     const double magnitude = std::ldexp(significand, int(integer(lowest, highest)));
     return flag() ? -magnitude : magnitude;
   }
+
+  // The magnitude of such a number.
+  double positive(int lowest, int highest) { return std::abs(real(lowest, highest)); }
 
   // A multiple of 1/`steps` in [low, high].
   double multiple(std::int64_t low, std::int64_t high, std::int64_t steps) {

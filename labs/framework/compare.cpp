@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/rounding.h>
 
 namespace glassbox::labs {
@@ -221,9 +222,9 @@ Comparison compare(const Expected& expected, const std::vector<double>& actual) 
     result.map =
         coverage_map(expected, actual, std::min(result.first->index, expected.values.size() - 1));
     if (result.first->explanation.empty()) {
-      result.first->explanation =
-          fmt::format("{} pixels missing, {} covered too often, {} covered, but should not be",
-                      result.coverage.gaps, result.coverage.doubles, result.coverage.extra);
+      result.first->explanation = fmt::format(
+          "{} missing, {} covered too often, {} covered, but should not be",
+          counted(result.coverage.gaps, "pixel"), result.coverage.doubles, result.coverage.extra);
     }
   }
   return result;
@@ -247,6 +248,33 @@ std::optional<Divergence> judge_case(const Case& input, const Answer& answer) {
   for (const Expected& expected : input.expected) {
     if (auto found = compare(expected, answer).first) return found;
   }
+  return std::nullopt;
+}
+
+bool has_numbers(const Answer& answer, const std::string& field, const std::vector<double>& right,
+                 double bound) {
+  const auto* actual = find_field(answer, field);
+  if (actual == nullptr || actual->size() != right.size()) return false;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    if (!(distance_between(right[i], (*actual)[i]) <= bound)) return false;
+  }
+  return true;
+}
+
+bool has_fields(const Answer& answer, const std::vector<Expected>& right) {
+  return std::all_of(right.begin(), right.end(), [&](const Expected& each) {
+    return has_numbers(answer, each.field, each.values, each.bound);
+  });
+}
+
+std::optional<bool> judge_nearly(const std::vector<double>& nearly, double bound,
+                                 const std::vector<double>* actual) {
+  if (actual == nullptr || actual->size() != nearly.size()) return false;
+  double distance = 0;
+  for (std::size_t i = 0; i < nearly.size(); ++i)
+    distance = std::max(distance, distance_between(nearly[i], (*actual)[i]));
+  if (distance <= bound / 2) return true;
+  if (distance > 2 * bound) return false;
   return std::nullopt;
 }
 

@@ -38,6 +38,24 @@ Comparison compare(const Expected& expected, const Answer& answer);
 // The numbers of an answer's field; null if there is no field of that name.
 const std::vector<double>* find_field(const Answer& answer, const std::string& name);
 
+// Whether the answer has exactly these numbers in the field, each within the bound. It says what
+// compare() says, for judges of generated inputs (GeneratedInputs::is_right).
+bool has_numbers(const Answer& answer, const std::string& field, const std::vector<double>& right,
+                 double bound = 0);
+
+// The same for several fields, each with its own bound.
+bool has_fields(const Answer& answer, const std::vector<Expected>& right);
+
+// Judges numbers by others that were computed in double and are at most half of the bound away from
+// the exact ones: an answer within half of the bound of them is right, and one that is more than
+// twice the bound away is wrong. Between the two only exact numbers tell, and nothing is returned.
+// `actual` is null if the answer has no such field.
+std::optional<bool> judge_nearly(const std::vector<double>& nearly, double bound,
+                                 const std::vector<double>* actual);
+inline std::optional<bool> judge_nearly(const Expected& nearly, const Answer& answer) {
+  return judge_nearly(nearly.values, nearly.bound, find_field(answer, nearly.field));
+}
+
 // How many columns an expected matrix has, numbers a vertex of a polygon, or pixels a row of a
 // coverage; 0 for other shapes.
 int columns_of(const Expected& expected);

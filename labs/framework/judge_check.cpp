@@ -50,16 +50,23 @@ void add_field(const Case& input, const Answer& answer, FirstFailure& failure) {
 // Judges a class of generated inputs. The failure is that of the first input with a wrong answer.
 FirstFailure judge_class(const Case& input, const Answer& batch, std::size_t index) {
   const GeneratedInputs& inputs = *input.generated;
-  const std::vector<std::size_t> wrong = wrong_inputs(inputs, batch);
   FirstFailure failure;
   failure.index = index;
-  failure.verdict = wrong.empty() ? Verdict::kRight : Verdict::kWrong;
-  if (wrong.empty()) return failure;
   const auto answers = split_batch(batch, std::size_t(inputs.count));
+  if (!answers) {
+    failure.verdict = Verdict::kMalformed;
+    failure.where = input.where;
+    failure.text = fmt::format("these are not the answers to {} inputs", inputs.count);
+    return failure;
+  }
+  const std::vector<std::size_t> wrong = wrong_inputs(inputs, *answers);
+  if (wrong.empty()) {
+    failure.verdict = Verdict::kRight;
+    return failure;
+  }
   Choices choices(choices_of(inputs, wrong[0]));
-  const Case first = inputs.expect(choices);
-  CaseAnswer answer{CaseAnswer::State::kAnswered, answers ? (*answers)[wrong[0]] : Answer(), ""};
-  failure = judge_answer(first, answer, index);
+  const CaseAnswer answer{CaseAnswer::State::kAnswered, (*answers)[wrong[0]], ""};
+  failure = judge_answer(inputs.expect(choices), answer, index);
   failure.verdict = Verdict::kWrong;
   failure.choices = choices.made();
   failure.wrong_inputs = wrong.size();
