@@ -186,6 +186,11 @@ std::string answered(const RunnerCheck& check, int index, const Chosen& chosen) 
 }
 
 int run(const RunnerCheck& check, int from, int only, const Chosen& chosen, std::FILE* out) {
+  if (only >= check.cases) {
+    std::fprintf(stderr, "--case: the check has the cases 0 to %d, and no case %d\n",
+                 check.cases - 1, only);
+    return 2;
+  }
   const int first = only >= 0 ? only : from;
   const int last = only >= 0 ? only + 1 : check.cases;
   for (int index = first; index < last && index < check.cases; ++index) {

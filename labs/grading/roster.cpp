@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string_view>
 
@@ -11,6 +12,7 @@
 
 #include <glassbox/base/ascii_case.h>
 #include <glassbox/base/printable.h>
+#include <glassbox/base/utf8.h>
 
 namespace glassbox::labs::grading {
 
@@ -88,6 +90,14 @@ std::vector<Line> lines_of(std::string_view text, std::size_t& unclosed) {
   return lines;
 }
 
+// Whether a text has characters alone: UTF-8 without control characters but tabs and line ends.
+bool is_plain_text(std::string_view text) {
+  return is_utf8(text) && std::none_of(text.begin(), text.end(), [](char c) {
+           const auto byte = static_cast<unsigned char>(c);
+           return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
+         });
+}
+
 // Whether a first line without the column "submission" looks like the names of columns.
 bool looks_like_names(const std::vector<std::string>& cells) {
   static constexpr std::string_view kUsual[] = {"name",  "id",       "student", "email",
@@ -109,6 +119,8 @@ Result<Roster> parse_roster(const std::string& text, const std::string& name) {
   constexpr std::string_view kMark = "\xef\xbb\xbf";  // some programs begin UTF-8 with it
   std::string_view rest = text;
   if (rest.starts_with(kMark)) rest.remove_prefix(kMark.size());
+  if (!is_plain_text(rest))
+    return fail(name, "is not a text in UTF-8", "export the roster as a CSV file in UTF-8");
   std::size_t unclosed = 0;
   std::vector<Line> lines = lines_of(rest, unclosed);
   if (unclosed > 0)
@@ -165,6 +177,11 @@ Result<Roster> parse_roster(const std::string& text, const std::string& name) {
 }
 
 Result<Roster> read_roster(const fs::path& file) {
+  constexpr std::uintmax_t kLargest = std::uintmax_t(16) << 20;  // far above any university's
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (!error && size > kLargest)
+    return fail(file.string(), "is larger than 16 MiB", "name the CSV file of one course");
   const auto text = read_text_file(file);
   if (!text) return tl::unexpected(text.error());
   return parse_roster(*text, file.string());

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include <glassbox/base/random.h>
+#include <glassbox/base/utf8.h>
+
 #include "tests/labs/grading/grading.h"
 #include "tests/support/catch.h"
 
@@ -58,6 +61,20 @@ TEST_CASE("a roster that is not clear is refused with its line and what to do") 
   CHECK(is_told(told("name,email\nann,a@x.org\n"), "line 1: seems to name columns"));
   CHECK(is_told(told("submission,Submission\n"), "two columns \"submission\""));
   CHECK(is_told(told("ann\n\"bob\ncid\n"), "line 2: begins a cell in quotes that does not end"));
+}
+
+TEST_CASE("bytes that are no text are refused, and no others for that reason") {
+  Random random(45);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::string text(std::size_t(random.integer(1, 40)), ' ');
+    // Few values, so that there are separators, quotes, ends of lines and whole characters, too.
+    const std::string letters = "ab,;\"\t\n\xc3\xa9\xff\x01";
+    for (char& c : text)
+      c = letters[std::size_t(random.integer(0, std::int64_t(letters.size()) - 1))];
+    const bool is_text = is_utf8(text) && text.find('\x01') == std::string::npos;
+    INFO(text);
+    CHECK(is_told(told(text), "is not a text in UTF-8") == !is_text);
+  }
 }
 
 TEST_CASE("with --roster class.csv and index.html have one row for each student, whatever came") {
