@@ -1,5 +1,5 @@
-// Bezout's coefficients, from which generators make the smallest areas and angles that whole numbers
-// allow.
+// Bezout's coefficients, from which generators make the smallest areas and angles that whole
+// numbers allow.
 #pragma once
 
 #include <cstdint>

@@ -139,9 +139,9 @@ TEST_CASE("a submission without lab.json is drawn, and checked, as of the lab th
   CAPTURE(drawn.out, drawn.err);
   CHECK(drawn.exit_code == 0);
   CHECK(fs::exists(folder.path() / "a.png"));
-  // Half of the points, because the hidden checks are not run.
   const auto checked = folder.run({"lab", "check", "ann", "--lab", "rasterisation"});
-  CHECK(has(checked.out, "50 of 50"));
+  CHECK(checked.exit_code == 0);
+  CHECK(has(checked.out, "Hidden checks can give"));
   const auto other = folder.run({"lab", "check", "mine", "--lab", "5"});
   CHECK(other.exit_code == 2);
   CHECK(has(other.err, "mine/lab.json says that it is lab 06-rasterisation"));

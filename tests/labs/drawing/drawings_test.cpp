@@ -70,8 +70,8 @@ const std::vector<Trial>& trials() {
       {5,
        "room",
        {},
-       "if (p.x > p.w) code",
-       "if (p.x > (trial::wrong() ? p.w / 2 : p.w)) code",
+       "if (!(p.x <= p.w)) code",
+       "if (!(p.x <= (trial::wrong() ? p.w / 2 : p.w))) code",
        "clip",
        "outcode"},
       {6, "room", {}, "* kSteps + 0.5)", "* kSteps + (trial::wrong() ? 0 : 0.5))", "snap", "snap"},
@@ -298,10 +298,18 @@ TEST_CASE("every lab draws: the solution as the reference, and what goes wrong i
   draw_labs(test::DailyShare::everything());
 }
 
-TEST_CASE("every lab has a trial") {
+TEST_CASE("every lab has a trial, whose text its solution has once") {
+  const Sources sources = find_sources().value();
   for (const Lab& lab : all_labs()) {
     INFO(lab.folder);
     CHECK(std::count_if(trials().begin(), trials().end(),
                         [&](const Trial& trial) { return trial.lab == lab.number; }) == 1);
+  }
+  for (const Trial& trial : trials()) {
+    INFO(trial.find);
+    const std::string text = solution_text(sources, lab_of(trial.lab).folder).value();
+    const std::size_t at = text.find(trial.find);
+    CHECK(at != std::string::npos);
+    CHECK(text.find(trial.find, at + 1) == std::string::npos);
   }
 }
