@@ -12,6 +12,9 @@
 #include "student.h"
 
 namespace lab_01 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 // ---- texts (task 1.1): one that is well-formed, and the same with a mistake ----
 
@@ -331,4 +334,5 @@ inline std::vector<AngleCase> hidden_angles() {
 }
 // END HIDDEN
 
+}  // namespace inputs
 }  // namespace lab_01

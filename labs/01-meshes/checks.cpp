@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <span>
 
 #include <fmt/format.h>
@@ -203,7 +202,7 @@ bool right_newell(const PolygonCase& input, const Answer& answer) {
 }
 
 // The components of the cross product and the dot product are exact in double, so only the square,
-// the root and the arctangent round; in long double, which has 11 digits more on most processors,
+// the root and the arctangent round; in long double, which has 11 binary digits more on most processors,
 // their errors do not matter.
 std::vector<Expected> angle_of(const AngleCase& input) {
   using Long = long double;

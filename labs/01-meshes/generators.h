@@ -14,7 +14,8 @@
 #include "labs/framework/choices.h"
 
 namespace lab_01 {
-// A namespace of its own, so that no function of yours in student.cpp can have the same name.
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
 inline namespace inputs {
 
 using glassbox::labs::Choices;
@@ -136,7 +137,7 @@ inline std::string wrong_line(Choices& c, std::int64_t count) {
     return line + c.one_of({"", "#1 1 1", " # 1 1 1"});
   }
   // A face of which one corner names no position: a number just beyond the ends, or one whose last
-  // 32 bits would name the first or the last position.
+  // 32 bits would name the first or the last position, or the largest one, 2^62 - 1.
   const std::uint64_t corners = 3 + c.below(3), wrong = c.below(corners);
   std::string line = "f";
   for (std::uint64_t i = 0; i < corners; ++i) {
@@ -146,7 +147,8 @@ inline std::string wrong_line(Choices& c, std::int64_t count) {
     } else if (kind == 2) {
       line += c.one_of({std::string("0"), std::to_string(count + 1), std::to_string(-count - 1)});
     } else {
-      line += c.one_of({"1000", "-1000", "4294967297", "-4294967297"});
+      line += c.one_of({"1000", "-1000", "4294967297", "-4294967297", "4611686018427387903",
+                        "-4611686018427387903"});
     }
   }
   return line;
@@ -190,25 +192,27 @@ inline Mesh laid_out(Choices& c, std::size_t positions, Faces faces) {
   return mesh;
 }
 
-// Faces that repeat positions, share edges and meet as they will.
+// Faces that repeat positions, share edges and meet in any way.
 inline MeshCase any_mesh(Choices& c) {
   const std::uint64_t positions = 1 + c.below(7), count = c.below(6);
   Faces faces(count);
   for (auto& face : faces) {
-    const std::uint64_t corners = 1 + c.below(7);
+    const std::uint64_t corners = c.below(8);
     for (std::uint64_t i = 0; i < corners; ++i) face.push_back(std::uint32_t(c.below(positions)));
   }
   return {"a mesh", laid_out(c, positions, faces)};
 }
 
-// More positions than 16 bits can count: the product of two of their numbers has more than 32 bits.
+// More positions than 16 bits can count, and than 100,000: a number made of two of theirs must have
+// more than 32 bits to be that of one edge only.
 inline MeshCase many_positions(Choices& c) {
-  constexpr std::uint32_t kPositions = 70'000;
+  constexpr std::uint32_t kPositions = 120'000;
   Faces faces(1 + c.below(5));
   for (auto& face : faces) {
     const std::uint64_t corners = 3 + c.below(3);
     for (std::uint64_t i = 0; i < corners; ++i)
-      face.push_back(c.one_of({0u, 1u, 2u, 65535u, 65536u, 65537u, 65538u, kPositions - 1}));
+      face.push_back(c.one_of({0u, 1u, 2u, 3u, 65535u, 65536u, 65537u, 65538u, 99'999u, 100'000u,
+                               100'001u, 100'002u, 100'003u, kPositions - 1}));
   }
   return {"a mesh of many positions", mesh_of(kPositions, faces)};
 }
@@ -237,7 +241,7 @@ inline MeshCase pieces(Choices& c) {
   return {"two pieces", both(first, second)};
 }
 
-// Polygons among few positions, of which no edge has more than two: surfaces of any kind.
+// Polygons among few positions; no edge belongs to more than two of them: surfaces of any kind.
 inline MeshCase any_surface(Choices& c) {
   const std::uint64_t positions = 3 + c.below(6), tries = c.below(11);
   int uses[8][8] = {};
@@ -268,10 +272,10 @@ inline MeshCase any_surface(Choices& c) {
 }
 
 inline std::vector<InputClass<MeshCase>> generated_meshes() {
-  return {{"few positions, faces of one corner and more", 15'000, any_mesh},
+  return {{"few positions, faces of no corner and more", 15'000, any_mesh},
           {"surfaces of all kinds", 8'000, any_surface},
           {"tubes, tori, cubes and strips", 2'000, pieces},
-          {"70,000 positions", 20, many_positions}};
+          {"120,000 positions", 60, many_positions}};
 }
 
 inline std::vector<InputClass<MeshCase>> generated_surfaces() {
@@ -322,7 +326,8 @@ inline std::vector<InputClass<PolygonCase>> generated_polygons() {
           {"all corners in one place (C-25)", 2'000,
            [](Choices& c) {
              const PolygonCase one = a_polygon(c, 1, 20, int(c.integer(3, 50)));
-             return PolygonCase{"one place", {3 + c.below(5), one.corners[0]}};
+             const std::uint64_t count = 3 + c.below(5);
+             return PolygonCase{"one place", std::vector<Point<Object>>(count, one.corners[0])};
            }},
           {"polygons of up to 100 corners", 1'000, [](Choices& c) {
              const std::uint64_t count = 3 + c.below(98);

@@ -26,7 +26,8 @@ using glassbox::Vector;
 //
 //   v X Y Z        a position
 //   f I J K ...    a polygon of three or more corners: numbers of positions, the first being 1;
-//                  -1 is the last position read so far, -2 the one before it; below 2^62 in size
+//                  -1 is the last position read so far, -2 the one before it. All numbers are
+//                  below 2^62 in size.
 //   # anything     a comment; it may also end another line. Empty lines and further spaces mean
 //                  nothing.
 //
@@ -54,7 +55,7 @@ struct EdgeTable {
 
 // Task 1.2. The edges of a mesh. A face passes along an edge from each corner to the next and from
 // the last corner to the first. A position that the next corner of the face repeats counts once. A
-// face with fewer than three different positions takes no part: it has no edges and is not counted
+// face with no corners, or with fewer than three different positions takes no part: it has no edges and is not counted
 // in F. V counts the positions of the faces that take part.
 EdgeTable find_edges(const Mesh& mesh);
 
@@ -71,7 +72,7 @@ std::optional<std::vector<int>> faces_to_turn(const Mesh& mesh);
 // Error bound of each component: gamma(N + 4) 4 N L^2, where N is the number of corners and L the
 // largest difference of a coordinate from that of the first corner. It does not depend on how far
 // away the polygon is. Coordinates are at most 2^20 in size. L is 0 or at least 2^-50, so that
-// nothing in float becomes subnormal that matters.
+// no product that matters is too small for float.
 Vector<Object> newell_vector(const std::vector<Point<Object>>& polygon);
 
 // Task 1.5. The angle between two vectors in radians, in [0, pi]. Neither is zero; components are

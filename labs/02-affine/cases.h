@@ -10,6 +10,9 @@
 #include "student.h"
 
 namespace lab_02 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 // ---- task 2.1 ----
 
@@ -262,4 +265,5 @@ inline std::vector<DriftCase> hidden_drifts() {
 }
 // END HIDDEN
 
+}  // namespace inputs
 }  // namespace lab_02

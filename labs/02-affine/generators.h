@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,8 @@
 #include "labs/framework/choices.h"
 
 namespace lab_02 {
-// A namespace of its own, so that no function of yours in student.cpp can have the same name.
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
 inline namespace inputs {
 
 using glassbox::labs::Choices;
@@ -142,7 +144,7 @@ inline ComposeCase many_steps(Choices& c) {
     if (c.flag()) {
       made.steps.push_back(turn(v.x, v.y, v.z, any_degrees(c)));
     } else {
-      made.steps.push_back(move(v.x, v.y, v.z));
+      made.steps.push_back(move(v.x / 16, v.y / 16, v.z / 16));
     }
   }
   return made;
@@ -152,7 +154,7 @@ inline std::vector<InputClass<ComposeCase>> generated_compositions() {
   return {{"one step of each kind", 15'000, one_step},
           {"turns about axes of every direction and length", 10'000, one_turn},
           {"two to six steps in any order", 15'000, some_steps},
-          {"up to 40 steps that keep the size", 1'000, many_steps}};
+          {"up to 40 turns and small moves", 1'000, many_steps}};
 }
 
 // ---- three points (task 2.3) ----

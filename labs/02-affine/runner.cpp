@@ -23,27 +23,15 @@ void ask_compose(const ComposeCase& input, Answer& answer) {
   answer.emit("world_from_object", entries(compose(input.steps)));
 }
 
-void ask_fit(const FitCase& input, Answer& answer) {
-  const auto m = fit_affine(input.source, input.target);
-  if (!m) return;
-  answer.emit("linear part", {m->at[0][0], m->at[0][1], m->at[1][0], m->at[1][1]});
-  answer.emit("map", numbers(*m));
-}
-
 // Also says whether there is a map, since there may be none.
-void ask_any_fit(const FitCase& input, Answer& answer) {
+void ask_fit(const FitCase& input, Answer& answer) {
   const auto m = fit_affine(input.source, input.target);
   answer.emit("there is a map", {m ? 1.0 : 0.0});
   if (!m) return;
   answer.emit("linear part", {m->at[0][0], m->at[0][1], m->at[1][0], m->at[1][1]});
   answer.emit("last column", {m->at[0][2], m->at[1][2]});
   answer.emit("last row", {m->at[2][0], m->at[2][1], m->at[2][2]});
-}
-
-void ask_any_turn(const TurnCase& input, Answer& answer) {
-  const Matrix3 m = turn_about(input.centre, input.degrees);
-  answer.emit("matrix", numbers(m));
-  answer.emit("last row", {m.at[2][0], m.at[2][1], m.at[2][2]});
+  answer.emit("map", numbers(*m));
 }
 
 void ask_line(const LineCase& input, Answer& answer) {
@@ -76,9 +64,9 @@ std::vector<glassbox::labs::RunnerCheck> glassbox::labs::runner_checks() {
       check("axis and angle", rotations(), ask_axis),
       check("axis and angle near no turn and half a turn", stiff_rotations(), ask_axis),
       check("what has drifted is a rotation again", drifts(), ask_repair),
-      generated_check("any turn", generated_turns(), ask_any_turn),
+      generated_check("any turn", generated_turns(), ask_turn),
       generated_check("any steps", generated_compositions(), ask_compose),
-      generated_check("any three points", generated_fits(), ask_any_fit),
+      generated_check("any three points", generated_fits(), ask_fit),
       generated_check("any rotation", generated_rotations(), ask_axis),
       generated_check("any drift", generated_drifts(), ask_repair),
       // BEGIN HIDDEN

@@ -37,7 +37,8 @@ struct Matrix3 {
 
 // Task 2.1. The map that turns the plane about `centre`, counter-clockwise (x to the right, y up),
 // by -360 to 360 degrees. The coordinates of the centre are at most 2^1000 in size.
-// Error bound of each entry: 24 u (1 + |centre.x| + |centre.y|). The last row is exactly (0, 0, 1).
+// Error bound of the last column's x and y: 24 u (1 + |centre.x| + |centre.y|); of the upper left
+// 2 x 2 part: 24 u. The last row is exactly (0, 0, 1).
 Matrix3 turn_about(const Point2& centre, double degrees);
 
 struct Step {
@@ -81,7 +82,7 @@ struct AxisAngle {
 };
 
 // Task 2.4. The axis and the angle of a rotation whose entries are correct up to one rounding. Its
-// angle is 0 or at least 10^-6. For the identity the axis is z. At exactly half a turn, where the
+// angle is 0 or at least 10^-6, and half a turn or at least 5 * 10^-8 less. For the identity the axis is z. At exactly half a turn, where the
 // matrix is symmetric and both directions of the axis are right, choose the one whose first
 // component that is not zero is positive.
 // Error bound of the axis: 32 u in each component. The relative error of the angle is at most 32 u,

@@ -12,7 +12,8 @@
 #include "labs/framework/choices.h"
 
 namespace lab_03 {
-// A namespace of its own, so that no function of yours in student.cpp can have the same name.
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
 inline namespace inputs {
 
 using glassbox::labs::Choices;
@@ -93,19 +94,21 @@ inline CameraCase camera_of_any_lengths(Choices& c) {
                    scaled(across + along * part, up_exponent));
 }
 
-// `up` is `sine` away from the gaze, or from its opposite.
-inline CameraCase camera_with_sine(Choices& c, double sine) {
+// `up` and the gaze, or its opposite, have an angle of the given tangent. Its sine is nearly the
+// same if it is small.
+inline CameraCase camera_with_tangent(Choices& c, double tangent) {
   const auto [along, across] = perpendicular_pair(c);
   const double sign = c.flag() ? -1 : 1;
   const Direction eye = c.flag() ? whole_direction(c, 4) : Direction{};
   const std::int64_t up_exponent = c.integer(-40, 40);
-  return camera_of({eye.x, eye.y, eye.z}, along, scaled(along * sign + across * sine, up_exponent));
+  return camera_of({eye.x, eye.y, eye.z}, along,
+                   scaled(along * sign + across * tangent, up_exponent));
 }
 
 // On both sides of the smallest sine, 2^-20, but no nearer than 2^-26 of it.
 inline CameraCase camera_at_smallest_sine(Choices& c) {
   const double apart = std::ldexp(1, -int(c.integer(1, 26)));
-  return camera_with_sine(c, 0x1p-20 * (1 + (c.flag() ? -apart : apart)));
+  return camera_with_tangent(c, 0x1p-20 * (1 + (c.flag() ? -apart : apart)));
 }
 
 inline CameraCase camera_far_away(Choices& c) {
@@ -116,10 +119,11 @@ inline CameraCase camera_far_away(Choices& c) {
   return camera_of(eye, gaze, dot(across, across) > 0 ? other : Direction{gaze.y, gaze.z, 10});
 }
 
-// A gaze along +z or -z, exactly or almost.
+// A gaze along +z or -z, exactly or almost: its x and y are less than an eighth of its z. `up` is
+// not along it: its x or y is at least a quarter of its z.
 inline CameraCase camera_along_z(Choices& c) {
   const double z = c.flag() ? -1 : 1;
-  const double x = c.flag() ? c.real(-40, -2) : 0, y = c.flag() ? c.real(-40, -2) : 0;
+  const double x = c.flag() ? c.real(-40, -4) : 0, y = c.flag() ? c.real(-40, -4) : 0;
   Direction up = whole_direction(c, 4);
   if (up.x == 0 && up.y == 0) up.y = 1;
   const Direction eye = c.flag() ? whole_direction(c, 4) : Direction{};
@@ -144,8 +148,8 @@ inline std::vector<InputClass<CameraCase>> generated_views() {
           {"vectors of every direction and length", 10'000, camera_of_any_lengths},
           {"`up` near the gaze (C-01)", 8'000,
            [](Choices& c) {
-             const double sine = std::ldexp(1, -int(c.integer(0, 19)));
-             return camera_with_sine(c, sine);
+             const double tangent = std::ldexp(1, -int(c.integer(0, 19)));
+             return camera_with_tangent(c, tangent);
            }},
           {"eyes far from the origin (C-13)", 8'000, camera_far_away}};
 }
@@ -157,8 +161,8 @@ inline std::vector<InputClass<CameraCase>> generated_cameras() {
   all.push_back(
       {"`up` on both sides of the smallest angle (C-01)", 8'000, camera_at_smallest_sine});
   all.push_back({"`up` along the gaze, up to rounding (C-01)", 2'000, [](Choices& c) {
-                   const double sine = c.flag() ? c.real(-60, -22) : 0;
-                   return camera_with_sine(c, sine);
+                   const double tangent = c.flag() ? c.real(-60, -22) : 0;
+                   return camera_with_tangent(c, tangent);
                  }});
   all.push_back({"a number that is infinite or NaN (C-03)", 2'000, camera_with_infinity});
   return all;

@@ -37,7 +37,7 @@ struct Camera {
 // no such matrix: the target is the eye, `up` is zero or along the gaze (the sine of the angle
 // between them is below 2^-20), or a number is infinite or NaN. The gaze and `up`, if they are not
 // zero, have lengths between 10^-100 and 10^100. In all cameras that are tested, the sine differs
-// from 2^-20 by more than 2^-28 of it, so that its rounding does not matter.
+// from 2^-20 by more than 2^-48, so that its rounding does not matter.
 // Error bound of each entry of the rotation: 32 u (1 + 1/s), where s is the sine of the angle
 // between `up` and the gaze. Error bound of the last column: the bound of the rotation times
 // (1 + 2 D), where D is the largest coordinate of the eye in size.
@@ -57,11 +57,10 @@ Transform<World, World> rotation_onto(const Vector<World, double>& from,
 // Task 3.3. The same matrix as that of uvn_view, by two rotations: first the gaze onto -z by the
 // smallest angle, then about z until `up` is in the upper half of the yz plane. The camera is one
 // that has a view matrix. A gaze along +z must work too.
-// Error bound of each entry of the rotation: 64 u (1 + 1/s + 1/g), where s is the sine of the angle
-// between `up` and the gaze, and g is the sine of the angle between the gaze and the z axis where
-// the gaze has a positive z (1/g is 0 elsewhere, and where the gaze is exactly along +z). Error
-// bound of the last column: the bound of the rotation times (1 + 2 D), where D is the largest
-// coordinate of the eye in size.
+// Error bound of each entry of the rotation: 64 u (1 + 1/s), where s is the sine of the angle
+// between `up` and the gaze. It holds for a gaze near +z, too: -z has exact coordinates, and the
+// cross product with it loses no digits. Error bound of the last column: the bound of the rotation
+// times (1 + 2 D), where D is the largest coordinate of the eye in size.
 Transform<Eye, World> axis_angle_view(const Camera& camera);
 
 enum class Kind { kUnknown = -1, kNeither = 0, kRotation = 1, kMirror = 2 };

@@ -12,6 +12,9 @@
 #include "student.h"
 
 namespace lab_04 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -183,4 +186,5 @@ inline std::vector<Point<Clip, double>> random_points() {
 }
 // END HIDDEN
 
+}  // namespace inputs
 }  // namespace lab_04

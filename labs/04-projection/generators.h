@@ -4,22 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "cases.h"
 #include "labs/framework/choices.h"
 
 namespace lab_04 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
 
-inline constexpr double kPiRounded = 3.14159265358979323846;  // the double nearest to pi
-inline constexpr double kSmallest = 0x1p-1074;                // the smallest double
+inline constexpr double kPi = std::numbers::pi;  // the double nearest to pi
+inline constexpr double kSmallest = 0x1p-1074;   // the smallest double
 
 // A positive number of any size from 2^lowest to 2^highest.
 inline double positive(Choices& c, int lowest, int highest) {
-  return std::fabs(c.real(lowest, highest - 1));
+  return c.positive(lowest, highest - 1);
 }
 // A number of either sign or 0, of a size up to 2^highest.
 inline double any_number(Choices& c, int highest) {
@@ -28,7 +32,7 @@ inline double any_number(Choices& c, int highest) {
 
 // The next doubles after `value`, `steps` of them.
 inline double steps_beyond(double value, std::int64_t steps) {
-  const double towards = steps < 0 ? -HUGE_VAL : HUGE_VAL;
+  const double towards = steps < 0 ? -kInfinity : kInfinity;
   for (std::int64_t i = steps < 0 ? -steps : steps; i > 0; --i)
     value = std::nextafter(value, towards);
   return value;
@@ -44,9 +48,9 @@ inline double angle(Choices& c) {
     case 1:
       return positive(c, -300, 1);
     case 2:
-      return kPiRounded - positive(c, -51, 1);  // the doubles below pi are 2^-51 apart
+      return kPi - positive(c, -51, 1);  // the doubles below pi are 2^-51 apart
     default:
-      return c.near(kPiRounded / 2);
+      return c.near(kPi / 2);
   }
 }
 inline double aspect(Choices& c) {
@@ -57,7 +61,7 @@ inline Camera any_view(Choices& c) {
   const double fovy = angle(c), width_to_height = aspect(c), near = positive(c, -300, 298);
   return {fovy, width_to_height, near, near * 2 + positive(c, -300, 298)};
 }
-// A view in which no entry is large, so that the error bound is small.
+// A view of a usual shape, in which no entry is very large or very small.
 inline Camera plain_view(Choices& c) {
   const double fovy = 0.5 + double(c.below(std::uint64_t(1) << 40)) * 0x1p-40 * 2.5;
   const double width_to_height = 0.5 + double(c.below(std::uint64_t(1) << 40)) * 0x1p-39;
@@ -83,10 +87,9 @@ inline Camera view_at_the_border(Choices& c) {
   const double negative = -positive(c, -1074, 1024);
   switch (c.below(4)) {
     case 0:
-      view.fovy_radians =
-          c.one_of({0.0, -0.0, small, -small, kPiRounded, std::nextafter(kPiRounded, 0.0),
-                    std::nextafter(kPiRounded, 4.0), kPiRounded + small, 2 * kPiRounded, 3.2, 45.0,
-                    90.0, negative, -kSmallest, kNaN, kInfinity, -kInfinity});
+      view.fovy_radians = c.one_of({0.0, -0.0, small, -small, kPi, std::nextafter(kPi, 0.0),
+                                    std::nextafter(kPi, 4.0), kPi + small, 2 * kPi, 3.2, 45.0, 90.0,
+                                    negative, -kSmallest, kNaN, kInfinity, -kInfinity});
       break;
     case 1:
       view.aspect = c.one_of(
@@ -99,7 +102,7 @@ inline Camera view_at_the_border(Choices& c) {
       break;
     default:
       view.far = c.one_of({view.near, std::nextafter(view.near, 0.0),
-                           std::nextafter(view.near, HUGE_VAL), view.near * (1 - small), 0.0, -0.0,
+                           std::nextafter(view.near, kInfinity), view.near * (1 - small), 0.0, -0.0,
                            -view.near, negative, kNaN, kInfinity, -kInfinity});
   }
   return view;
@@ -116,7 +119,7 @@ inline std::vector<InputClass<Camera>> generated_views() {
 
 // ---- parallel views (task 4.2) ----
 
-// Two different numbers in their order, of any size up to 2^300 and at least 2^-300 apart.
+// Two different numbers in their order, of any size up to 2^302 and at least 2^-300 apart.
 struct Range {
   double low, high;
 };
@@ -125,7 +128,9 @@ inline Range any_range(Choices& c) {
     const double low = any_number(c, 298);
     const double high = low + positive(c, -299, 298);
     if (high > low) return {low, high};
-    return {low, c.flag() ? steps_beyond(low, c.integer(1, 20)) : low + std::fabs(low)};
+    // What was added is at most half a step of `low`, so its neighbours are far enough apart.
+    if (c.flag()) return {low, steps_beyond(low, c.integer(1, 20))};
+    return {low, low + std::fabs(low)};
   }
   const double half = positive(c, -299, 298);
   const double middle = half * c.multiple(-8, 8, 4);
@@ -226,9 +231,11 @@ inline std::vector<InputClass<ClipPoint>> generated_points() {
            }},
           {"w at 1 and one step beside it", 10'000,
            [](Choices& c) {
-             ClipPoint p = point_with_w(c, c.near(1.0));
+             const double w = c.near(1.0);
+             ClipPoint p = point_with_w(c, w);
+             // Divided by the number before 1, the largest one here is still finite.
              if (c.flag())
-               p.z = c.one_of({-0.0, 0.0, kSmallest, -kSmallest, 0x1.fffffffffffffp1023});
+               p.z = c.one_of({-0.0, 0.0, kSmallest, -kSmallest, 0x1.ffffffffffffep1023});
              return p;
            }},
           {"w at 0, below it, and NaN", 10'000, [](Choices& c) {
@@ -318,4 +325,5 @@ inline std::vector<InputClass<DepthCase>> generated_depths() {
            }}};
 }
 
+}  // namespace inputs
 }  // namespace lab_04

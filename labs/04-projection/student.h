@@ -30,15 +30,18 @@ using Projection = glassbox::Transform<Clip, Eye, double>;
 //   aspect        width / height of the picture, positive and finite
 //   near, far     distances along the gaze, 0 < near < far; far may be infinity
 // Throws std::invalid_argument for anything else, NaN too. Valid numbers (but an infinite far) are
-// from 2^-300 to 2^300, so that no product of two of them overflows. near and far may be neighbours
-// or 2^70 apart. Error bound: 16 u times the largest entry.
+// from 2^-300 to 2^300, so that no product of two of them overflows. far may be the next double
+// after near, or up to 2^600 times near. Error bound of each entry: 16 u times its size, so entries
+// that are 0 are exact.
 Projection perspective(double fovy_radians, double aspect, double near, double far);
 
 // ---- 4.2 ----
 
 // A parallel view. The box left <= x <= right, bottom <= y <= top, near <= distance <= far of eye
 // space becomes the canonical volume, and w is 1. left < right, bottom < top, near < far, all
-// finite; near may be negative. Error bound: 16 u times the largest entry.
+// finite; near may be negative. These numbers are at most 2^302 in size, and the two ends of a range
+// differ by at least 2^-300. Error bound of each entry: 16 u times its size, so entries that are 0
+// are exact.
 Projection orthographic(double left, double right, double bottom, double top, double near,
                         double far);
 
@@ -52,8 +55,8 @@ enum class Dialect {
 };
 
 // The matrix that does in the dialect what `m` does in the conventions of this lab. `m` is any
-// projection: any of its 16 entries may differ from 0; they are below 2^1000 in size. Error bound:
-// 4 u times the largest entry of the answer.
+// projection: any of its 16 entries may differ from 0; they are below 2^1000 in size. Error bound of
+// each entry: 4 u times its size, so entries that are 0 are exact.
 Projection in_dialect(const Projection& m, Dialect dialect);
 
 // ---- 4.4 ----
@@ -61,8 +64,7 @@ Projection in_dialect(const Projection& m, Dialect dialect);
 // Clip space to NDC. Returns std::nullopt where w <= 0 (the point is at the eye or behind it and
 // cannot be seen) and where w is NaN. w may be any other finite number, down to 2^-1074, the
 // smallest double; x, y, z and their quotients are finite, too. Points with w = 1 keep their bits.
-// Error bound: 4 u times the largest coordinate of the answer, plus 2^-1074, the step of the
-// smallest doubles.
+// Error bound of each coordinate: 4 u times its size, plus 2^-1074, the step of the smallest doubles.
 std::optional<Point<Ndc, double>> divide(const Point<Clip, double>& p);
 
 // ---- 4.5 ----
@@ -73,16 +75,17 @@ struct Rectangle {
 };
 
 // NDC to pixels: (-1, 1) becomes the top left corner of the rectangle, (1, -1) the bottom right
-// one. z keeps its bits. Error bounds: 8 u (|left| + width) for x, 8 u (|top| + height) for y.
+// one. z keeps its bits. Error bounds: 8 u (|left| + width max(1, |x|)) for x, 8 u (|top| + height
+// max(1, |y|)) for y. left, top, width and height are at most 2^32 in size, x and y below 2^64.
 Point<Screen, double> to_screen(const Point<Ndc, double>& p, const Rectangle& viewport);
 
 // ---- 4.6 ----
 
 // The distance along the gaze that a depth in [0, 1] belongs to, in the perspective of 4.1. far may
 // be infinity; depth 1 is then infinitely far away, and the answer is infinity. Any other far may
-// be up to 2^80 times near, where near / far is much less than u. Error bound: 8 u z^2 / near,
-// where z is the exact distance. That is several times the error which the rounding of the depth
-// alone causes.
+// be up to 2^80 times near, where near / far is much less than u. Error bound: 8 u z^2 / near, but
+// at most z / 2, where z is the exact distance. The first is several times the error which the
+// rounding of the depth alone causes; the second is the smaller one from 2^49 near on.
 double distance_of(double depth, double near, double far);
 
 }  // namespace lab_04

@@ -45,12 +45,16 @@ double double_ulps(double expected, double actual) {
   return std::abs(expected - actual) / (next - larger);
 }
 
+double bound_at(const Expected& expected, std::size_t index) {
+  return index < expected.bounds.size() ? expected.bounds[index] : expected.bound;
+}
+
 Divergence divergence_at(const Expected& expected, std::size_t index, Divergence::Kind kind) {
   return {.kind = kind,
           .field = expected.field,
           .index = index,
           .element = element_name(expected, index),
-          .bound = expected.bound,
+          .bound = bound_at(expected, index),
           .unit = expected.unit};
 }
 
@@ -96,7 +100,7 @@ Divergence wrong_length(const Expected& expected, const std::vector<double>& act
 }
 
 bool is_within_bound(const Expected& expected, std::size_t index, double actual) {
-  return distance_between(expected.values[index], actual) <= expected.bound;
+  return distance_between(expected.values[index], actual) <= bound_at(expected, index);
 }
 
 CoverageCounts count_coverage(const Expected& expected, const std::vector<double>& actual) {
@@ -261,21 +265,30 @@ bool has_numbers(const Answer& answer, const std::string& field, const std::vect
   return true;
 }
 
-bool has_fields(const Answer& answer, const std::vector<Expected>& right) {
-  return std::all_of(right.begin(), right.end(), [&](const Expected& each) {
-    return has_numbers(answer, each.field, each.values, each.bound);
-  });
+bool has_field(const Answer& answer, const Expected& right) {
+  const auto* actual = find_field(answer, right.field);
+  if (actual == nullptr || actual->size() != right.values.size()) return false;
+  for (std::size_t i = 0; i < actual->size(); ++i) {
+    if (!is_within_bound(right, i, (*actual)[i])) return false;
+  }
+  return true;
 }
 
-std::optional<bool> judge_nearly(const std::vector<double>& nearly, double bound,
-                                 const std::vector<double>* actual) {
-  if (actual == nullptr || actual->size() != nearly.size()) return false;
-  double distance = 0;
-  for (std::size_t i = 0; i < nearly.size(); ++i)
-    distance = std::max(distance, distance_between(nearly[i], (*actual)[i]));
-  if (distance <= bound / 2) return true;
-  if (distance > 2 * bound) return false;
-  return std::nullopt;
+bool has_fields(const Answer& answer, const std::vector<Expected>& right) {
+  return std::all_of(right.begin(), right.end(),
+                     [&](const Expected& each) { return has_field(answer, each); });
+}
+
+std::optional<bool> judge_nearly(const Expected& nearly, const std::vector<double>* actual) {
+  if (actual == nullptr || actual->size() != nearly.values.size()) return false;
+  std::optional<bool> right = true;
+  for (std::size_t i = 0; i < actual->size(); ++i) {
+    const double distance = distance_between(nearly.values[i], (*actual)[i]);
+    const double bound = bound_at(nearly, i);
+    if (distance > 2 * bound) return false;
+    if (!(distance <= bound / 2)) right = std::nullopt;
+  }
+  return right;
 }
 
 const std::vector<double>* find_field(const Answer& answer, const std::string& name) {

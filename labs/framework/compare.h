@@ -43,17 +43,21 @@ const std::vector<double>* find_field(const Answer& answer, const std::string& n
 bool has_numbers(const Answer& answer, const std::string& field, const std::vector<double>& right,
                  double bound = 0);
 
-// The same for several fields, each with its own bound.
+// The same for a field, and for several, each with its own bound or bounds.
+bool has_field(const Answer& answer, const Expected& right);
 bool has_fields(const Answer& answer, const std::vector<Expected>& right);
 
 // Judges numbers by others that were computed in double and are at most half of the bound away from
 // the exact ones: an answer within half of the bound of them is right, and one that is more than
 // twice the bound away is wrong. Between the two only exact numbers tell, and nothing is returned.
 // `actual` is null if the answer has no such field.
-std::optional<bool> judge_nearly(const std::vector<double>& nearly, double bound,
-                                 const std::vector<double>* actual);
+std::optional<bool> judge_nearly(const Expected& nearly, const std::vector<double>* actual);
+inline std::optional<bool> judge_nearly(const std::vector<double>& nearly, double bound,
+                                        const std::vector<double>* actual) {
+  return judge_nearly(numbers("", nearly, bound), actual);
+}
 inline std::optional<bool> judge_nearly(const Expected& nearly, const Answer& answer) {
-  return judge_nearly(nearly.values, nearly.bound, find_field(answer, nearly.field));
+  return judge_nearly(nearly, find_field(answer, nearly.field));
 }
 
 // How many columns an expected matrix has, numbers a vertex of a polygon, or pixels a row of a

@@ -12,6 +12,7 @@
 //   faults.json    planted wrong variants of the solution, with what a report must say of each
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,6 +33,8 @@ struct Expected {
   std::string unit = {};  // "world units", "px", "radian" (which makes it an angle); empty: a count
   // for coverage: the width in pixels; for a polygon: how many numbers a vertex has
   int columns = 0;
+  // The bound of each number, where they differ: with_bounds(). `bound` is the largest then.
+  std::vector<double> bounds = {};
 };
 
 // What is expected of a field that is a list of numbers, a point, a matrix (row by row), or a
@@ -51,6 +54,14 @@ inline Expected matrix(std::string field, int columns, std::vector<double> value
 inline Expected polygon(std::string field, int columns, std::vector<double> values,
                         double bound = 0, std::string unit = {}) {
   return {std::move(field), Shape::kPolygon, std::move(values), bound, std::move(unit), columns};
+}
+
+// The same with a bound for each number.
+inline Expected with_bounds(Expected expected, std::vector<double> bounds) {
+  expected.bound = 0;
+  for (const double each : bounds) expected.bound = std::max(expected.bound, each);
+  expected.bounds = std::move(bounds);
+  return expected;
 }
 
 // The first place where an answer differs from what is expected.

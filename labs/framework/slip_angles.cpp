@@ -26,6 +26,7 @@ Expected slipped(const Expected& field, std::vector<double> values) {
   for (const double each : values) largest = std::max(largest, std::abs(each));
   changed.values = std::move(values);
   changed.bound = std::max(64 * field.bound, 1e-5 * largest);
+  changed.bounds.clear();
   return changed;
 }
 

@@ -32,6 +32,28 @@ TEST_CASE("an answer within its bound is right, and one just outside is not") {
   CHECK(result.differing == 1);
 }
 
+TEST_CASE("each number has the bound of its own that an expected field gives it") {
+  const Expected expected = with_bounds(field(Shape::kMatrix, {1e6, 1, 0}, 0, 3), {1, 1e-6, 0});
+  CHECK(expected.bound == 1);
+  const auto of = [](std::vector<double> values) {
+    Answer answer;
+    answer.emit("f", std::move(values));
+    return answer;
+  };
+  const auto first = compare(expected, of({1e6 + 1, 1.5, 0})).first;
+  REQUIRE(first);
+  CHECK(first->element == "row 0, column 1");
+  CHECK(first->bound == 1e-6);
+  CHECK(has_field(of(expected.values), expected));
+  CHECK(has_field(of({1e6 - 1, 1 + 0.9e-6, -0.0}), expected));
+  CHECK_FALSE(has_field(of({1e6, 1, 1e-300}), expected));
+  CHECK_FALSE(has_field(of({1e6, 1}), expected));
+  CHECK(judge_nearly(expected, of({1e6 + 0.5, 1, 0})) == true);
+  CHECK(judge_nearly(expected, of({1e6 + 0.5, 1 + 1e-6, 0})) == std::nullopt);
+  CHECK(judge_nearly(expected, of({1e6 + 1, 1 + 3e-6, 0})) == false);
+  CHECK(judge_nearly(expected, of({1e6, 1, 1e-300})) == false);
+}
+
 TEST_CASE("without a bound one float apart is one ulp, and a zero has no sign") {
   const float next = std::nextafter(1.0f, 2.0f);
   const auto result = compare(field(Shape::kNumbers, {1}), {double(next)});
