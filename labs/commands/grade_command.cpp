@@ -218,13 +218,14 @@ std::uint64_t LabGradeCommand::seed_of(const labs::Lab& lab, const std::string& 
 }
 
 Result<std::string> LabGradeCommand::digest_of(const labs::Lab& lab, const labs::Sources& sources,
-                                               const Submission& submission) const {
+                                               const Submission& submission,
+                                               const Result<SubmittedFile>& submitted) const {
   const auto kit = build_kit_fingerprint(sources, lab.folder);
   if (!kit) return kit;
-  const auto read = read_submission(submission.path);
   labs::Digest digest;
   digest.add(program_digest()).add(lab.folder).add(*kit);
-  digest.add(read ? read->text : read.error().message()).add(read ? read->note : "");
+  digest.add(submitted ? submitted->text : submitted.error().message());
+  digest.add(submitted ? submitted->note : "");
   for (const std::string& other : submission.also) digest.add(other);
   if (const auto points = labs::read_text_file(sources.folder_of(lab.folder) / "points.json"))
     digest.add(*points);
@@ -254,7 +255,8 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
   }
   if (name_.empty()) name_ = submission_name(submissions_);
   if (vary_) labs::set_inputs_seed(seed_of(lab, name_));
-  const auto digest = digest_of(lab, sources, {name_, submissions_, also_});
+  const auto submitted = read_submission(submissions_);
+  const auto digest = digest_of(lab, sources, {name_, submissions_, also_}, submitted);
   if (!digest) return refuse(digest.error());
   if (resume_ && is_up_to_date(files_.output, *digest)) {
     fmt::print("{} already has the result of this submission\n", files_.output);
@@ -266,28 +268,29 @@ int LabGradeCommand::run_one(const labs::Lab& lab, const labs::Sources& sources,
       gradescope_json(ungraded_submission(lab_points->lab, kUnfinished, !visible_), "", *digest);
   if (const auto begun = begin_results(files_, unfinished); !begun) return refuse(begun.error());
   for (const std::string& warning : lab_points->warnings) fmt::print(stderr, "{}\n", warning);
-  return grade_one(lab_points->lab, sources, *digest, scratch);
+  return grade_one(lab_points->lab, sources, submitted, *digest, scratch);
 }
 
 int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& sources,
-                               const std::string& digest, const ScratchDirectory& scratch) {
+                               const Result<SubmittedFile>& submitted, const std::string& digest,
+                               const ScratchDirectory& scratch) {
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
-  const auto sandbox = Sandbox::choose(*place, confinement_);
+  auto sandbox = Sandbox::choose(*place, confinement_);
   if (!sandbox) return refuse(sandbox.error());
-  fmt::print(stderr, "sandbox: {}\n", sandbox->description());
   auto kit =
       make_build_kit(sources, lab.folder, kit_.empty() ? *place / "kit" : fs::absolute(kit_));
   if (kit && !kit_.empty()) kit = copy_build_kit(*kit, *place / "kit");
   if (!kit) return refuse(kit.error());
+  sandbox->try_view(kit->view, kit->compiler, *place);
+  fmt::print(stderr, "sandbox: {}\n", sandbox->description());
   const auto build = scratch.make_private_directory("build");
   if (!build) return refuse(build.error());
   Limits limits;
   limits.seconds = seconds_;
   limits.memory_bytes = memory_mib_ * kMiB;
-  const auto submission = read_submission(submissions_);
   const auto text =
-      submission ? Result<std::string>(submission->text) : tl::unexpected(submission.error());
+      submitted ? Result<std::string>(submitted->text) : tl::unexpected(submitted.error());
   GradedSubmission graded = grade({.lab = lab,
                                    .sandbox = *sandbox,
                                    .kit = *kit,
@@ -296,7 +299,7 @@ int LabGradeCommand::grade_one(const labs::Lab& lab, const labs::Sources& source
                                    .total_seconds = total_seconds_,
                                    .hidden = !visible_},
                                   text);
-  graded.messages = (submission ? submission->note : "") + note_of_others(also_) + graded.messages;
+  graded.messages = (submitted ? submitted->note : "") + note_of_others(also_) + graded.messages;
   const auto results = gradescope_json(graded, sandbox->description(), digest);
   // an earlier result is kept, which is better than an unfinished one
   if (graded.outcome == kUnfinished) {
@@ -360,9 +363,11 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
                      "the folder for results cannot be created: " + error.message(),
                      "give another folder with -o"});
     const std::string file = (results / "results.json").string();
-    const auto digest = digest_of(lab, sources, each);
-    if (!digest) return refuse(digest.error());
-    if (resume_ && is_up_to_date(file, *digest)) continue;
+    if (resume_) {
+      const auto digest = digest_of(lab, sources, each, read_submission(each.path));
+      if (!digest) return refuse(digest.error());
+      if (is_up_to_date(file, *digest)) continue;
+    }
     chosen.emplace(each.name, each);
     const auto begun = begin_results(
         {file, (results / "classroom.json").string(), (results / "junit.xml").string()},
@@ -376,13 +381,15 @@ int LabGradeCommand::run_class(const labs::Lab& lab, const labs::Sources& source
                singular_or_plural(all.size() - chosen.size(), "is", "are"));
   const auto place = scratch.path();
   if (!place) return refuse(place.error());
-  const auto sandbox = Sandbox::choose(*place, confinement_);
+  auto sandbox = Sandbox::choose(*place, confinement_);
   if (!sandbox) return refuse(sandbox.error());
-  fmt::print(stderr, "sandbox: {}\n", sandbox->description());
   const auto lab_points = labs::read_lab_points(lab, sources.folder_of(lab.folder) / "points.json");
   if (!lab_points) return refuse(lab_points.error());
   for (const std::string& warning : lab_points->warnings) fmt::print(stderr, "{}\n", warning);
-  if (const auto kit = make_build_kit(sources, lab.folder, kit_); !kit) return refuse(kit.error());
+  const auto kit = make_build_kit(sources, lab.folder, kit_);
+  if (!kit) return refuse(kit.error());
+  sandbox->try_view(kit->view, kit->compiler, *place);
+  fmt::print(stderr, "sandbox: {}\n", sandbox->description());
   // The temporary files of the graded submissions are put here and are removed together with it.
   ::setenv("TMPDIR", place->c_str(), 1);
 

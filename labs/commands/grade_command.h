@@ -34,7 +34,8 @@ public:
 private:
   int run();
   int run_one(const labs::Lab& lab, const labs::Sources& sources, const ScratchDirectory& scratch);
-  int grade_one(const labs::Lab& lab, const labs::Sources& sources, const std::string& digest,
+  int grade_one(const labs::Lab& lab, const labs::Sources& sources,
+                const Result<labs::grading::SubmittedFile>& submitted, const std::string& digest,
                 const ScratchDirectory& scratch);
   int run_class(const labs::Lab& lab, const labs::Sources& sources,
                 const ScratchDirectory& scratch);
@@ -52,7 +53,8 @@ private:
                                            const labs::grading::Submission& submission) const;
   // A digest of everything that the result of a submission depends on.
   Result<std::string> digest_of(const labs::Lab& lab, const labs::Sources& sources,
-                                const labs::grading::Submission& submission) const;
+                                const labs::grading::Submission& submission,
+                                const Result<labs::grading::SubmittedFile>& submitted) const;
   // The seed by which the inputs of the submission with this name are varied; never 0.
   static std::uint64_t seed_of(const labs::Lab& lab, const std::string& name);
   Result<const labs::Lab*> find_lab(const labs::Sources& sources,

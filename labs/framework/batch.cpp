@@ -48,7 +48,8 @@ std::optional<std::vector<Answer>> split_batch(const Answer& batch, std::size_t 
     const auto* sizes = find_field(batch, field.name + kSizes);
     if (sizes == nullptr) return std::nullopt;
     fields.push_back({field, *sizes});
-    if (!fits(fields.back(), inputs)) return std::nullopt;
+    if (!fits(fields.back(), inputs) || fields.size() * inputs > kMaxSplitFields)
+      return std::nullopt;
   }
   std::vector<Answer> answers(inputs);
   for (std::size_t i = 0; i < inputs; ++i) {
@@ -62,7 +63,7 @@ std::optional<std::vector<Answer>> split_batch(const Answer& batch, std::size_t 
 
 std::vector<std::uint64_t> choices_of(const GeneratedInputs& inputs, std::size_t index) {
   Choices choices(input_seed(inputs_seed(), inputs.what, int(index)));
-  (void)inputs.expect(choices);
+  inputs.make(choices);
   return choices.made();
 }
 

@@ -12,7 +12,13 @@ namespace glassbox::labs {
 // The sizes of a batch's field are in another field, whose name is this one behind its own.
 inline constexpr const char* kSizes = "/sizes";
 
-// Splits the answers to `inputs` inputs. Nothing if a field has too few or too many numbers.
+// How many fields all split answers may have together. Each takes some 100 bytes, and a student's
+// process says how many there are. The labs' largest class is of 50,000 inputs, with fewer than 10
+// fields each.
+inline constexpr std::size_t kMaxSplitFields = 1'000'000;
+
+// Splits the answers to `inputs` inputs. Nothing if a field has too few or too many numbers, or if
+// there are too many fields.
 std::optional<std::vector<Answer>> split_batch(const Answer& batch, std::size_t inputs);
 
 // The choices that make input number `index` of the class with the seed of inputs_seed().

@@ -112,6 +112,8 @@ struct Case {
 struct GeneratedInputs {
   const char* what;
   int count;
+  // Only makes the input, so that the choices are recorded.
+  std::function<void(Choices& choices)> make;
   // The input that the choices make, as a case of its own.
   std::function<Case(Choices& choices)> expect;
   // Whether an answer to this input is right: what judging the case says, but faster.
@@ -167,7 +169,7 @@ Check hidden_check(const char* name, const char* task, const char* stage, Inputs
 
 // A check of generated inputs (choices.h). Every class of inputs is a case. expect(input) returns
 // the input as a case with the expected answer. It is called for each of some 100,000 inputs,
-// unless there is is_right(input, answer), which must say the same without making texts.
+// unless there is is_right(input, answer), which must say the same and should seldom make texts.
 template <class Input>
 Check generated_check(const char* name, const char* task, const char* stage,
                       std::vector<InputClass<Input>> (*classes)(), Case (*expect)(const Input&),
@@ -176,6 +178,7 @@ Check generated_check(const char* name, const char* task, const char* stage,
     std::vector<Case> cases;
     for (const InputClass<Input>& each : classes()) {
       const auto make = each.make;
+      const auto make_one = [make](Choices& choices) { (void)make(choices); };
       const auto expect_one = [make, expect](Choices& choices) { return expect(make(choices)); };
       const auto judge_one = [make, expect, is_right](Choices& choices, const Answer& answer) {
         const Input input = make(choices);
@@ -183,7 +186,7 @@ Check generated_check(const char* name, const char* task, const char* stage,
       };
       Case made{.where = each.what, .restated = ""};
       made.generated = std::make_shared<GeneratedInputs>(
-          GeneratedInputs{each.what, each.count, expect_one, judge_one});
+          GeneratedInputs{each.what, each.count, make_one, expect_one, judge_one});
       cases.push_back(std::move(made));
     }
     return cases;

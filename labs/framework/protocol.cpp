@@ -52,6 +52,8 @@ std::optional<std::vector<double>> packed_numbers(const std::string& digits) {
 // them; empty if nothing is.
 std::string read_fields(const Json& fields, const char* suffix, Answer& answer) {
   if (!fields.is_object()) return "\"fields\" or \"sizes\" is not an object";
+  if (fields.size() > kMaxFields)
+    return fmt::format("an answer has more than {} fields", kMaxFields);
   for (const auto& [name, list] : fields.items()) {
     if (list.is_string()) {
       auto packed = packed_numbers(list.get_ref<const std::string&>());

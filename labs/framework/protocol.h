@@ -40,8 +40,13 @@ struct CheckAnswers {
 
 // Reads the lines of one process into `answers`, whose cases must already have their size. A line
 // must be one object with "case", an index below the number of cases that has not been answered
-// yet, and "fields" or "threw". The numbers of a field are JSON numbers, "nan", "inf" or "-inf". A
-// last line without a line end was cut off by a crash, and is ignored. Never throws.
+// yet, and "fields" or "threw". The numbers of a field are a list of JSON numbers, "nan", "inf" or
+// "-inf", or one string with the bits of each as 16 hexadecimal digits. "sizes" has the sizes of a
+// batch's fields, and becomes fields of its own (batch.h). A last line without a line end was cut
+// off by a crash, and is ignored. Never throws.
+//
+// "fields" and "sizes" may have kMaxFields each; the labs' answers have fewer than 20.
+inline constexpr std::size_t kMaxFields = 64;
 void read_answers(std::string_view lines, CheckAnswers& answers);
 
 }  // namespace glassbox::labs

@@ -127,11 +127,13 @@ CaseAnswer run_inputs(Runner& runner, const std::filesystem::path& program,
   read_answers(outcome.answers, answers);
   CaseAnswer& answer = answers.cases[index];
   if (answer.state == CaseAnswer::State::kMissing) record_failure(answer, outcome, limits);
+  if (outcome.ending == Ending::kNotStarted) answer.state = CaseAnswer::State::kLimit;
   return answer;
 }
 
 CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
-                       const std::string& check, std::size_t cases, const RunLimits& limits) {
+                       const std::string& check, std::size_t cases, const RunLimits& limits,
+                       std::size_t inputs) {
   CheckAnswers answers;
   answers.check = check;
   answers.cases.resize(cases);
@@ -139,6 +141,7 @@ CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
   for (int restarts = 0; from < cases; ++restarts) {
     std::vector<std::string> words{"--check", check, "--from", std::to_string(from)};
     if (inputs_seed() != 0) words.insert(words.end(), {"--seed", std::to_string(inputs_seed())});
+    if (inputs > 0) words.insert(words.end(), {"--inputs", "0", std::to_string(inputs)});
     const RunOutcome outcome = runner.run({program, words, limits});
     read_answers(outcome.answers, answers);
     if (answers.printed.size() < limits.printed_bytes)

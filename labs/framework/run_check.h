@@ -65,11 +65,15 @@ std::string ending_text(const RunOutcome& outcome, const RunLimits& limits);
 // process is started again from the next case, at most kMaxRestarts times. A process that is out
 // of time, memory or output is not started again.
 inline constexpr int kMaxRestarts = 16;
+//
+// Unless `inputs` is 0, only the first so many inputs of each class of generated inputs are run.
 CheckAnswers run_check(Runner& runner, const std::filesystem::path& program,
-                       const std::string& check, std::size_t cases, const RunLimits& limits);
+                       const std::string& check, std::size_t cases, const RunLimits& limits,
+                       std::size_t inputs = 0);
 
 // Runs some of the inputs of a generated class (choices.h): those from number `first` to `end` - 1,
-// or those that the given choices make. The answer is that of the class, a batch (batch.h).
+// or those that the given choices make. The answer is that of the class, a batch (batch.h). If the
+// process could not be started, the answer is kLimit, because no input is to blame.
 struct SomeInputs {
   std::size_t first = 0, end = 0;
   std::vector<std::vector<std::uint64_t>> choices = {};  // empty: by their numbers

@@ -6,10 +6,10 @@
 //   runner --check NAME [--from N] [--case N] [--out-fd N]
 //                    {"case": 0, "fields": {"name": [1, "nan"]}} for each case, and
 //                    {"case": 1, "threw": "what"} where the function threw
-//   runner --check NAME --case N --inputs FIRST END
+//   runner --check NAME [--case N] --inputs FIRST END
 //   runner --check NAME --case N --choices '1 0 2;3'
-//                    of a class of generated inputs only these: by their numbers FIRST to END - 1,
-//                    or made from the given choices
+//                    of a class of generated inputs (without --case, of each class) only these: by
+//                    their numbers FIRST to END - 1, or made from the given choices
 //
 // The answers to the inputs of a class are in one line. A field then has the numbers of all
 // answers, one after the other, each as 16 hexadecimal digits, and "sizes" says how many each

@@ -17,8 +17,6 @@
 
 #include "labs/grading/choose_file.h"
 
-#include <glassbox/base/ascii_case.h>
-
 namespace glassbox::labs::grading {
 
 namespace {
@@ -63,7 +61,10 @@ std::string read_bytes(archive* reader, std::size_t& left, Candidate* kept) {
     if (got == 0) return {};
     if (got < 0) return "is damaged or encrypted";
     const auto size = static_cast<std::size_t>(got);
-    if (size > left) return fmt::format("holds more than {} MiB of files", kMaxUnpacked >> 20);
+    if (size > left) {
+      left = 0;
+      return fmt::format("holds more than {} MiB of files", kMaxUnpacked >> 20);
+    }
     left -= size;
     if (kept == nullptr) continue;
     if (kept->text.size() + size > kLargestSource) {
@@ -76,9 +77,9 @@ std::string read_bytes(archive* reader, std::size_t& left, Candidate* kept) {
   }
 }
 
-Contents read_all(archive* reader, const std::string& name) {
+Contents read_all(archive* reader, const std::string& name, std::size_t& left) {
   Contents contents;
-  std::size_t left = kMaxUnpacked, entries = 0;
+  std::size_t entries = 0;
   archive_entry* entry = nullptr;
   while (true) {
     const int status = archive_read_next_header(reader, &entry);
@@ -146,15 +147,16 @@ int open_ordinary(const fs::path& file, std::string& why) {
 }  // namespace
 
 bool is_archive(const fs::path& file) {
-  const std::string name = lower_case(file.filename().string());
-  for (const char* end :
-       {".zip", ".7z", ".rar", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst"}) {
-    if (name.ends_with(end)) return true;
-  }
-  return false;
+  return archive_stem(file) != file.filename().string();
 }
 
 Result<SubmittedFile> read_from_archive(const fs::path& file, const std::string& name) {
+  std::size_t left = kMaxUnpacked;
+  return read_from_archive(file, name, left);
+}
+
+Result<SubmittedFile> read_from_archive(const fs::path& file, const std::string& name,
+                                        std::size_t& left) {
   std::string why;
   const int opened = open_ordinary(file, why);
   if (opened < 0) return archive_refused(file, why);
@@ -170,7 +172,7 @@ Result<SubmittedFile> read_from_archive(const fs::path& file, const std::string&
   archive_read_support_filter_zstd(reader.get());
   Contents contents;
   if (archive_read_open_fd(reader.get(), opened, 65536) == ARCHIVE_OK) {
-    contents = read_all(reader.get(), name);
+    contents = read_all(reader.get(), name, left);
   } else {
     contents.refusal = "is damaged, or is not an archive";
   }

@@ -28,4 +28,9 @@ inline constexpr std::size_t kMaxEntries = 10000;
 Result<SubmittedFile> read_from_archive(const std::filesystem::path& archive,
                                         const std::string& name);
 
+// The same for one of several archives, whose contents may have `left` bytes together in place of
+// kMaxUnpacked. What was read is subtracted.
+Result<SubmittedFile> read_from_archive(const std::filesystem::path& archive,
+                                        const std::string& name, std::size_t& left);
+
 }  // namespace glassbox::labs::grading

@@ -349,10 +349,12 @@ Result<BuildKit> copy_build_kit(const BuildKit& kit, const fs::path& directory) 
   std::error_code error;
   fs::create_directories(directory, error);
   fs::copy(kit.include, copy.include, fs::copy_options::recursive, error);
-  copy.view = fs::exists(kit.view) ? directory / kView : fs::path();
-  if (!error && !copy.view.empty())
-    fs::copy_file(kit.view, copy.view, fs::copy_options::overwrite_existing, error);
   if (error) return fail(directory.string(), error.message(), "free some space there");
+  copy.view = directory / kView;
+  fs::copy_file(kit.view, copy.view, fs::copy_options::overwrite_existing, error);
+  if (error)
+    return fail(kit.view.string(), "cannot be copied: " + error.message(),
+                "remove the directory of this file, so that it is made again");
   make_readable_for_all(copy, directory);
   return copy;
 }

@@ -24,8 +24,7 @@ struct BuildKit {
   // submission's code has been compiled.
   std::vector<std::filesystem::path> visible, all;
   std::filesystem::path starter;  // student.cpp as students get it, compiled
-  // The library that hides files from the compiler where the sandbox does not (compiler_view.cpp);
-  // empty: there is none
+  // The library that hides files from the compiler where the sandbox does not (compiler_view.cpp)
   std::filesystem::path view;
   std::string compiler;     // the path of the compiler
   std::string fingerprint;  // a digest of all files and settings that it was made from

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <string_view>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -47,13 +48,20 @@ auto order_of(const fs::path& path, const std::string& wanted) {
 }
 
 auto order_of_archive(const fs::path& path) {
-  std::string stem = path.stem().string();
-  if (lower_case(stem).ends_with(".tar")) stem.erase(stem.size() - 4);
-  const int number = numbered(stem).number;
+  const int number = numbered(archive_stem(path)).number;
   return std::tuple(depth(path), number != 0, -number, path.generic_string());
 }
 
 }  // namespace
+
+std::string archive_stem(const fs::path& file) {
+  const std::string name = file.filename().string(), lower = lower_case(name);
+  for (const std::string_view end :
+       {".zip", ".7z", ".rar", ".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tar.xz", ".tar.zst"}) {
+    if (lower.ends_with(end)) return name.substr(0, name.size() - end.size());
+  }
+  return name;
+}
 
 bool has_wanted_name(const fs::path& file, const std::string& wanted) {
   const fs::path name = lower_case(file.filename().string()), other = lower_case(wanted);

@@ -21,7 +21,11 @@ bool has_wanted_name(const std::filesystem::path& file, const std::string& wante
 bool is_taken_before(const std::filesystem::path& a, const std::filesystem::path& b,
                      const std::string& wanted);
 
-// The same for archives, which may have any name: in the fewest folders, without a number, with the
+// The name of an archive without its ending, which may be in upper case: "ann" for "ann.TAR.GZ".
+// Other names stay as they are. The endings are those of is_archive() in archive.h.
+std::string archive_stem(const std::filesystem::path& file);
+
+// The same as is_taken_before() for archives, which may have any name: in the fewest folders, without a number, with the
 // highest number, and at last by the bytes of the path.
 bool is_archive_taken_before(const std::filesystem::path& a, const std::filesystem::path& b);
 

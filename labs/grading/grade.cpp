@@ -3,9 +3,11 @@
 #include <string.h>
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "labs/framework/batch.h"
 #include "labs/framework/lab_points.h"
 #include "labs/framework/run_check.h"
 #include "labs/framework/run_in_parallel.h"
@@ -49,11 +51,40 @@ std::string signal_name(int signal) {
   return name != nullptr ? fmt::format("SIG{}", name) : fmt::format("signal {}", signal);
 }
 
-// Runs and judges the checks of one program.
+// The time that all failures of a submission have together to be shrunk, in seconds. It is none of
+// the time of the checks, so that a wrong answer in one check cannot cost points in another one.
+constexpr double kShrinkSeconds = 20;
+
+// How many inputs of a class are compared with the starter's answers. A function that is written
+// answers otherwise to one of so many inputs of each class, unless it has the starter's answer for
+// all that the class is about.
+constexpr std::size_t kCompared = 100;
+
+// The answers to the first inputs of each class, each as a case of its own. The batches are of
+// these inputs alone (`of_first`) or of all. Nothing if a batch is missing or malformed.
+std::optional<CheckAnswers> first_answers(const CheckAnswers& batches,
+                                          const std::vector<Case>& cases, bool of_first) {
+  CheckAnswers first;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto all = std::size_t(cases[i].generated->count), some = std::min(all, kCompared);
+    if (batches.cases[i].state != CaseAnswer::State::kAnswered) return std::nullopt;
+    const auto answers = split_batch(batches.cases[i].answer, of_first ? some : all);
+    if (!answers) return std::nullopt;
+    for (std::size_t k = 0; k < some; ++k)
+      first.cases.push_back({CaseAnswer::State::kAnswered, (*answers)[k], ""});
+  }
+  return first;
+}
+
+// Runs and judges the checks of one submission.
 class GradingRun {
 public:
   GradingRun(const GradeRequest& request, const AllCases& cases)
-      : request_(request), cases_(cases), time_(request.total_seconds) {
+      : request_(request),
+        cases_(cases),
+        programs_(cases.size()),
+        time_(request.total_seconds),
+        shrink_time_(kShrinkSeconds) {
     results.resize(cases.size());
     check_outcomes.resize(cases.size());
   }
@@ -63,11 +94,18 @@ public:
     for (std::size_t i = 0; i < cases_.size(); ++i) {
       if (request_.lab.checks[i].hidden == hidden && !cases_[i].empty()) chosen.push_back(i);
     }
+    for (const std::size_t i : chosen) programs_[i] = program;
     run_in_parallel(
         chosen.size(), [&](std::size_t k) { run_one_check(program, starter, chosen[k]); },
         request_.max_parallel_checks);
-    // One after the other, because each starts many processes, and their number is limited.
-    for (const std::size_t i : chosen) shrink_first_failure(program, i);
+  }
+
+  // After all checks. One after the other, because each starts many processes, and their number is
+  // limited.
+  void shrink_first_failures() {
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      if (!programs_[i].empty()) shrink_first_failure(i);
+    }
   }
 
   std::vector<CheckResult> results;
@@ -90,18 +128,28 @@ private:
     }
   }
 
-  void shrink_first_failure(const fs::path& program, std::size_t i) {
-    SandboxRunner runner(request_.sandbox, request_.limits, request_.compile_options.sanitize,
-                         &time_);
-    shrink_failure(results[i], cases_[i], runner, program, run_limits());
+  void shrink_first_failure(std::size_t i) {
+    const bool sanitize = request_.compile_options.sanitize;
+    // A sanitizer's finding is that of one input, and another input may have another one.
+    if (sanitize && results[i].verdict == Verdict::kCrash) return;
+    SandboxRunner runner(request_.sandbox, request_.limits, sanitize, &shrink_time_);
+    shrink_failure(results[i], cases_[i], runner, programs_[i], run_limits());
   }
 
-  // Whether every answer is the starter's.
+  // Whether every answer is the starter's; of generated inputs, every answer to the first ones of
+  // each class.
   bool is_untouched(const CheckResult& result, const CheckAnswers& answers, const fs::path& starter,
                     std::size_t i) const {
     if (result.right > 0 || starter.empty()) return false;
     SandboxRunner runner(request_.sandbox, request_.limits);
-    return same_answers(answers, answers_of(runner, starter, i));
+    const std::vector<Case>& cases = cases_[i];
+    const auto own =
+        request_.lab.checks[i].generated ? first_answers(answers, cases, false) : std::nullopt;
+    if (!own) return same_answers(answers, answers_of(runner, starter, i));
+    const CheckAnswers of_starter = run_check(runner, starter, request_.lab.checks[i].name,
+                                              cases.size(), run_limits(), kCompared);
+    const auto others = first_answers(of_starter, cases, true);
+    return others && same_answers(*own, *others);
   }
 
   // Names the sanitizer's finding as the outcome in place of a crash. A sanitizer ends the process
@@ -124,7 +172,8 @@ private:
 
   const GradeRequest& request_;
   const AllCases& cases_;
-  TimeBudget time_;
+  std::vector<fs::path> programs_;  // with which each check was run; empty: it was not run
+  TimeBudget time_, shrink_time_;
 };
 
 }  // namespace
@@ -191,6 +240,7 @@ GradedSubmission grade(const GradeRequest& request, const Result<std::string>& s
     grading_run.run_checks(program, link_starter(which, sandbox, request.kit, request.build),
                            which == CheckSelection::kAll);
   }
+  grading_run.shrink_first_failures();
   GradedSubmission graded;
   graded.outcome = "graded";
   graded.messages = compiled.messages;

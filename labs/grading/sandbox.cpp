@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 #include <fmt/format.h>
@@ -84,6 +85,14 @@ RunOutcome launch_patiently(const Launch& job) {
   return outcome;
 }
 
+// Whether the dynamic linker can load a library of this directory. It separates the names in
+// LD_PRELOAD by blanks and colons, and replaces words that begin with a dollar sign.
+bool can_be_preloaded_from(const fs::path& directory) {
+  std::error_code error;
+  return directory.native().find_first_of(" :$") == std::string::npos &&
+         fs::weakly_canonical(directory, error).native().find_first_of(" :$") == std::string::npos;
+}
+
 std::vector<std::string> plain_environment(const std::string& temporary) {
   return {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8", "HOME=/", "TMPDIR=" + temporary};
 }
@@ -118,6 +127,12 @@ Result<Sandbox> Sandbox::choose(const fs::path& scratch, std::optional<Confineme
     }
     if (each != Confinement::kBubblewrap && !can_filter_system_calls()) {
       does_not_work(each, "glassbox was built without libseccomp");
+      continue;
+    }
+    if (each == Confinement::kLimits && !can_be_preloaded_from(scratch)) {
+      does_not_work(each,
+                    "the path of the temporary directory has a blank, a colon or a dollar "
+                    "sign, which LD_PRELOAD does not allow: set TMPDIR to another directory");
       continue;
     }
     sandbox.confinement_ = each;
@@ -159,6 +174,30 @@ std::string Sandbox::failure_reason(const fs::path& scratch) const {
   return !printed.empty() ? printed : ending_text(outcome, {});
 }
 
+void Sandbox::try_view(const fs::path& view, const std::string& compiler, const fs::path& scratch) {
+  view_works_ = false;
+  if (confinement_ != Confinement::kLimits || view.empty()) return;
+  const fs::path trial = scratch / "trial", hidden = scratch / "hidden.h";
+  std::error_code error;
+  fs::create_directory(trial, error);
+  std::ofstream(hidden) << "\n";
+  std::ofstream(trial / "trial.cpp") << "#if __has_include(\"/etc/passwd\") || __has_include(\""
+                                     << hidden.string() << "\")\n#error\n#endif\n";
+  fs::permissions(hidden, fs::perms(0644), error);
+  fs::permissions(trial / "trial.cpp", fs::perms(0644), error);
+  if (!error && give_to_sandbox_user(trial)) {
+    // Without the library the compiler must find the file, or the trial says nothing.
+    const std::vector<std::string> command{compiler, "-fsyntax-only", "trial.cpp"};
+    const auto succeeds = [&](const fs::path& library) {
+      const RunOutcome outcome = compile(command, trial, {}, compile_limits(), library);
+      return outcome.ending == RunOutcome::Ending::kExit && outcome.code == 0;
+    };
+    view_works_ = succeeds(view) && !succeeds({});
+  }
+  fs::remove_all(trial, error);
+  fs::remove(hidden, error);
+}
+
 std::string Sandbox::description() const {
   std::string text;
   switch (confinement_) {
@@ -169,9 +208,12 @@ std::string Sandbox::description() const {
       text = "Landlock (no files but the compiler's own)";
       break;
     case Confinement::kLimits:
-      text =
-          "no rules of the kernel for files: a library hides all files but the compiler's own from "
-          "the compiler";
+      text = view_works_ ? "no rules of the kernel for files: a library hides all files but the "
+                           "compiler's own "
+                           "from the compiler"
+                         : "no rules of the kernel for files, and no library hides files from the "
+                           "compiler, so "
+                           "that a submission can find out which files exist";
       break;
   }
   text += runner_filter_.empty() ? ", no system-call filter" : ", a system-call filter";

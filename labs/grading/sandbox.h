@@ -35,13 +35,18 @@ class Sandbox {
 public:
   // Chooses the strongest confinement that works when a real process is run in `scratch`, which
   // must exist. With `only`, no other kind is tried. It is an error if there is neither bubblewrap
-  // nor a filter for system calls.
+  // nor a filter for system calls. kLimits does not work if the path of `scratch` has a blank, a
+  // colon or a dollar sign: the library that hides files from a compiler could not be named there.
   static Result<Sandbox> choose(const std::filesystem::path& scratch,
                                 std::optional<Confinement> only = {});
 
   Confinement confinement() const { return confinement_; }
-  // The confinement in one sentence.
+  // The confinement in one sentence. Where it hides no files itself, try_view() comes first.
   std::string description() const;
+  // Finds out whether the library `view` (BuildKit::view) hides files from this compiler, where the
+  // confinement does not do so itself.
+  void try_view(const std::filesystem::path& view, const std::string& compiler,
+                const std::filesystem::path& scratch);
   // Gives `path` to the user that owns the files which a submission's processes write. Does nothing
   // where that user is the caller.
   bool give_to_sandbox_user(const std::filesystem::path& path) const;
@@ -78,6 +83,7 @@ private:
   Confinement confinement_ = Confinement::kLimits;
   std::string bubblewrap_;  // the path of bubblewrap
   std::optional<uid_t> user_;
+  bool view_works_ = false;  // whether try_view() found that the library hides files
   SystemCallFilter compiler_filter_, runner_filter_;
 };
 

@@ -130,10 +130,12 @@ Result<SubmittedFile> read_from_folder(const fs::path& folder, const std::string
   }
   std::sort(contents.archives.begin(), contents.archives.end(), is_archive_taken_before);
   std::optional<Error> refusal;  // of the first archive that was not read
-  for (const fs::path& archive : contents.archives) {
-    auto read = read_from_archive(folder / archive, name);
+  std::size_t left = kMaxUnpacked;
+  for (std::size_t i = 0; i < std::min(contents.archives.size(), kMaxArchives); ++i) {
+    const fs::path archive = contents.archives[i];
+    auto read = read_from_archive(folder / archive, name, left);
     if (read) {
-      std::erase(contents.archives, fs::path(archive));
+      contents.archives.erase(contents.archives.begin() + std::ptrdiff_t(i));
       if (!contents.archives.empty())
         read->note = note_of_choice(archive, contents.archives, name) + read->note;
       return read;
@@ -184,9 +186,7 @@ std::string submission_name(const fs::path& path) {
   if (!place.has_filename()) place = place.parent_path();
   if (fs::is_directory(place, error)) return place.filename().string();
   if (!is_archive(place) && !is_source(place)) return place.filename().string();
-  std::string stem = place.stem().string();
-  if (is_archive(place) && stem.ends_with(".tar")) stem.erase(stem.size() - 4);
-  return stem;
+  return is_archive(place) ? archive_stem(place) : place.stem().string();
 }
 
 Result<ClassFolder> list_submissions(const fs::path& folder) {

@@ -12,6 +12,10 @@ namespace glassbox::labs::grading {
 // The size of the largest source that is accepted, in bytes; a solution has some 10 KiB.
 inline constexpr std::size_t kLargestSource = std::size_t(1) << 20;
 
+// How many archives in a folder are looked at for student.cpp. Together they may have the contents
+// of one, kMaxUnpacked (archive.h).
+inline constexpr std::size_t kMaxArchives = 8;
+
 struct SubmittedFile {
   std::string text;
   // For the student: which file was taken, if another one could have been meant; else empty.

@@ -13,9 +13,9 @@ using namespace glassbox::labs;
 
 namespace {
 
-// The answer with one change in one of its fields.
+// The answer with one change in one of its fields, or without one of them, or without all.
 std::vector<Answer> changed(const Answer& answer) {
-  std::vector<Answer> all;
+  std::vector<Answer> all{Answer()};
   const auto with = [&](std::size_t field, std::vector<double> values) {
     Answer other;
     for (std::size_t i = 0; i < answer.fields().size(); ++i)
@@ -24,6 +24,12 @@ std::vector<Answer> changed(const Answer& answer) {
   };
   for (std::size_t f = 0; f < answer.fields().size(); ++f) {
     const std::vector<double>& values = answer.fields()[f].values;
+    Answer without;
+    for (std::size_t i = 0; i < answer.fields().size(); ++i) {
+      if (i != f) without.emit(answer.fields()[i].name, answer.fields()[i].values);
+    }
+    all.push_back(without);
+    with(f, {});
     std::vector<double> longer = values;
     longer.push_back(1);
     with(f, longer);

@@ -61,7 +61,7 @@ public:
         bool crash = false;
         digits += bits_of(answer_(pair, crash));
         if (crash) {
-          outcome.ending = RunOutcome::Ending::kSignal;
+          outcome.ending = after("--choices") != nullptr ? bad_end : RunOutcome::Ending::kSignal;
           outcome.code = 11;
           return outcome;
         }
@@ -75,6 +75,8 @@ public:
   }
 
   int runs = 0;
+  // how a process with given inputs ends where `crash` is set
+  RunOutcome::Ending bad_end = RunOutcome::Ending::kSignal;
 
 private:
   static std::vector<Pair> inputs_of(const std::string* choices, const std::string* first) {
@@ -179,6 +181,16 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("more fields than labs have are refused before they take memory") {
+  Answer batch;
+  for (int i = 0; i < 64; ++i) {
+    batch.emit(fmt::format("f{}", i), {});
+    batch.emit(fmt::format("f{}/sizes", i), {0});
+  }
+  CHECK(split_batch(batch, 1000));
+  CHECK_FALSE(split_batch(batch, kMaxSplitFields / 64 + 1));
+}
+
 TEST_CASE("a right function has all classes right") {
   FakeRunner runner([](const Pair& pair, bool&) { return double(pair.a + pair.b); });
   CHECK_FALSE(judged(runner).first);
@@ -213,6 +225,57 @@ TEST_CASE("the input of a crash or an exception is found among those of its clas
     REQUIRE(result.first);
     CHECK(result.verdict == (throws ? Verdict::kThrew : Verdict::kCrash));
     CHECK(result.first->choices == std::vector<std::uint64_t>{198'002});  // -99001 and 0
+  }
+}
+
+TEST_CASE("the input of a crash or an exception becomes simple, too, in few runs") {
+  FakeRunner crashing([](const Pair& pair, bool& crash) {
+    crash = pair.a > 1000 && pair.b < -77;
+    return double(pair.a + pair.b);
+  });
+  FakeRunner throwing([](const Pair& pair, bool&) {
+    if (pair.a > 1000 && pair.b < -77) throw std::runtime_error("no");
+    return double(pair.a + pair.b);
+  });
+  for (FakeRunner* runner : {&crashing, &throwing}) {
+    const CheckResult result = judged(*runner);
+    REQUIRE(result.first);
+    CHECK(result.first->choices == std::vector<std::uint64_t>{2001, 156});  // 1001 and -78
+    CHECK(runner->runs < kMaxShrinkRuns);
+  }
+}
+
+TEST_CASE("wrong answers are found beside inputs that crash") {
+  FakeRunner runner([](const Pair& pair, bool& crash) {
+    crash = pair.a == 0 || pair.b == 0 || pair.a % 7 == 3;
+    return double(pair.a + pair.b) + (pair.a > 1000 && pair.b < -77 ? 1 : 0);
+  });
+  const Check check = generated_check("sums", "1.1", "world", pairs, expect_sum);
+  std::vector<Case> cases = check.cases();
+  cases.resize(1);
+  CheckResult result;
+  result.name = "sums";
+  result.first = FirstFailure{};
+  result.first->choices = std::vector<std::uint64_t>{160'001, 150'000};
+  shrink_failure(result, cases, runner, "", {});
+  CHECK(result.first->where.find("the simplest generated input") != std::string::npos);
+  CHECK(result.first->choices->at(0) < 2100);
+  CHECK(result.first->choices->at(1) < 200);
+}
+
+TEST_CASE("a process that is out of time or does not start ends the search without a result") {
+  for (const auto end : {RunOutcome::Ending::kTimeout, RunOutcome::Ending::kNotStarted}) {
+    FakeRunner runner([](const Pair& pair, bool& crash) {
+      crash = pair.a > 99'000;
+      return double(pair.a + pair.b);
+    });
+    runner.bad_end = end;
+    const CheckResult result = judged(runner);
+    REQUIRE(result.first);
+    CHECK(result.verdict == Verdict::kCrash);
+    CHECK(result.first->where == "pairs");
+    CHECK_FALSE(result.first->choices);
+    CHECK(runner.runs < 30);
   }
 }
 

@@ -59,6 +59,18 @@ TEST_CASE("a bad answer costs its own case only") {
   }
 }
 
+TEST_CASE("an answer with more fields than any lab has is refused") {
+  for (const std::size_t count : {kMaxFields, kMaxFields + 1, std::size_t(100'000)}) {
+    std::string fields;
+    for (std::size_t i = 0; i < count; ++i)
+      fields += (i > 0 ? ", \"" : "\"") + std::to_string(i) + "\": [1]";
+    const auto state = count > kMaxFields ? State::kMalformed : State::kAnswered;
+    CHECK(read("{\"case\": 0, \"fields\": {" + fields + "}}\n").cases[0].state == state);
+    CHECK(read("{\"case\": 0, \"fields\": {}, \"sizes\": {" + fields + "}}\n").cases[0].state ==
+          state);
+  }
+}
+
 TEST_CASE("a case that is answered twice is answered by nobody") {
   const std::string line = "{\"case\": 0, \"fields\": {\"p\": [1]}}\n";
   CHECK(read(line + line).cases[0].state == State::kMalformed);

@@ -229,8 +229,16 @@ TEST_CASE("a foreign file is found however much is included before it") {
     return graded(directory, before + solution(), {"--sandbox", "limits", "--kit", kit.string()});
   };
   CHECK(total(in_limits(many)) == 10);
-  REQUIRE(fs::remove(kit / "compiler-view.so"));
-  CHECK(total(in_limits(many)) == 10);
+  const std::string library = (kit / "compiler-view.so").string();
+  REQUIRE(fs::remove(library));
+  write(directory.path / "nothing.cpp", "\n");
+  REQUIRE(run_program("/usr/bin/env", {"g++", "-shared", "-o", library, "nothing.cpp"},
+                      directory.path.string())
+              .exit_code == 0);
+  const auto without = in_limits(many);
+  CHECK(total(without) == 10);
+  CHECK(without.at("extra_data").at("sandbox").get<std::string>().find("no library hides files") !=
+        std::string::npos);
   const auto results =
       in_limits(many + "#include \"" + (directory.path / "secret").string() + "\"\n#error here\n");
   INFO(results.dump(2));
@@ -238,6 +246,35 @@ TEST_CASE("a foreign file is found however much is included before it") {
   const std::string output = results.at("output");
   CHECK(output.find("secret, which is not part of the lab") != std::string::npos);
   CHECK(output.find("90210") == std::string::npos);
+}
+
+TEST_CASE("the library that hides files is never left out in silence") {
+  const TestDirectory directory;
+  write(directory.path / "one/student.cpp", solution());
+  const auto in_limits = [&](const fs::path& temporary, const fs::path& kit) {
+    fs::create_directories(temporary);
+    return run_program(
+        "/usr/bin/env",
+        {"TMPDIR=" + temporary.string(), TINY_GRADER, "lab", "grade", "one", "--one", "--lab", "99",
+         "-o", "r.json", "--sandbox", "limits", "--kit", kit.string()},
+        directory.path.string());
+  };
+  const fs::path kit = directory.path / "kit";
+  const Outcome fine = in_limits(directory.path / "plain", kit);
+  CHECK(fine.exit_code == 0);
+  CHECK(fine.err.find("a library hides all files but the compiler's own") != std::string::npos);
+  // The dynamic linker could not load the library from there.
+  for (const char* name : {"a b", "a:b", "$ORIGIN"}) {
+    const Outcome refused = in_limits(directory.path / name, kit);
+    INFO(name << ": " << refused.err);
+    CHECK(refused.exit_code == 2);
+    CHECK(refused.err.find("set TMPDIR to another directory") != std::string::npos);
+  }
+  REQUIRE(fs::remove(kit / "compiler-view.so"));
+  const Outcome missing = in_limits(directory.path / "plain", kit);
+  INFO(missing.err);
+  CHECK(missing.exit_code == 2);
+  CHECK(missing.err.find("compiler-view.so: cannot be copied") != std::string::npos);
 }
 
 TEST_CASE("only what compilers write is assembled") {

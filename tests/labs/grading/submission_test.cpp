@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <fmt/format.h>
+
 #include "labs/grading/archive.h"
 #include "tests/labs/grading/grading.h"
 #include "tests/support/catch.h"
@@ -221,6 +223,8 @@ TEST_CASE("of several archives in a folder the first by the rule that has studen
   CHECK(message_of(read) == "read: tenth");
   for (const char* other : {"lab5.7z", "lab5.zip", "lab5 (2).zip", "deep/er/lab.tar.gz"})
     CHECK(has_part(read->note, other));
+  CHECK(has_part(read->note, "Graded: lab5 (10).zip.\n"));
+  CHECK_FALSE(has_part(read->note.substr(read->note.find("Not graded")), "lab5 (10).zip"));
   // A file in the folder itself comes before every archive.
   write(ann / "deep/student.cpp", "file");
   CHECK(message_of(read_submission(ann)) == "read: file");
@@ -228,6 +232,34 @@ TEST_CASE("of several archives in a folder the first by the rule that has studen
   write(directory.path / "bob/lab5.zip", "damaged");
   write_archive(directory.path / "bob/other.zip", {{"main.cpp", "x"}});
   CHECK(has_part(message_of(read_submission(directory.path / "bob")), "lab5.zip: is damaged"));
+}
+
+TEST_CASE("the archives of a folder are few, and have together what one may have") {
+  const TestDirectory directory;
+  const fs::path ann = directory.path / "ann", bob = directory.path / "bob";
+  fs::create_directories(ann);
+  fs::create_directories(bob);
+  for (std::size_t i = 0; i + 1 < kMaxArchives; ++i)
+    write_archive(ann / fmt::format("a{}.zip", i), {{"main.cpp", "x"}});
+  write_archive(ann / "b.zip", {{"student.cpp", "b"}});
+  CHECK(message_of(read_submission(ann)) == "read: b");
+  write_archive(ann / "a.zip", {{"main.cpp", "x"}});
+  CHECK(has_part(message_of(read_submission(ann)), "student.cpp: is missing"));
+  const std::vector<Entry> half(13, {"zeros", std::string(10 << 20, '\0')});
+  write_archive(bob / "a.tar.gz", half);
+  write_archive(bob / "c.zip", {{"student.cpp", "c"}});
+  CHECK(message_of(read_submission(bob)) == "read: c");
+  write_archive(bob / "b.tar.gz", half);
+  CHECK(has_part(message_of(read_submission(bob)), "student.cpp: is missing"));
+}
+
+TEST_CASE("a submission's name is that of its archive without the ending, in any case") {
+  const TestDirectory directory;
+  for (const char* name :
+       {"ann.zip", "ann.TAR.GZ", "ann.tar", "ann.Tar.xz", "ann.TGZ", "ann.cpp"}) {
+    write(directory.path / name, "x");
+    CHECK(submission_name(directory.path / name) == "ann");
+  }
 }
 
 TEST_CASE("of two entries with the same path the last one counts, as unzip does") {
