@@ -99,19 +99,20 @@ public:
     return !inputs_.is_right(choices, answer.answer);
   }
 
-  // Whether a process was out of time.
-  bool timed_out() const { return timed_out_; }
+  // Whether a process did not start, or reached a limit.
+  bool was_stopped() const { return was_stopped_; }
 
 private:
   // Called for an edit whose input fails. Returns whether that is enough.
   using Failing = std::function<bool(const Edit& edit, const Made& edited)>;
 
-  bool may_run() const { return runs_ < kMaxShrinkRuns && !timed_out_; }
+  bool may_run() const { return runs_ < kMaxShrinkRuns && !was_stopped_; }
 
   CaseAnswer run(const SomeInputs& some) {
     ++runs_;
     CaseAnswer answer = run_inputs(runner_, program_, check_, index_, some, limits_);
-    if (answer.state == CaseAnswer::State::kTimeout) timed_out_ = true;
+    using State = CaseAnswer::State;
+    if (answer.state == State::kTimeout || answer.state == State::kLimit) was_stopped_ = true;
     return answer;
   }
 
@@ -247,7 +248,7 @@ private:
   CaseAnswer::State state_;
   const RunLimits& limits_;
   int runs_ = 0;
-  bool timed_out_ = false;
+  bool was_stopped_ = false;
 };
 
 bool can_be_repeated(Verdict verdict) {
@@ -268,7 +269,7 @@ void shrink_failure(CheckResult& result, const std::vector<Case>& cases, Runner&
   if (result.first->verdict != Verdict::kWrong)
     made = choices_of(*input.generated, shrinker.first_unanswered());
   made = shrinker.simplest(made);
-  if (shrinker.timed_out()) return;
+  if (shrinker.was_stopped()) return;
   const CaseAnswer answer = shrinker.answer_alone(made);
   if (!shrinker.fails(made, answer)) return;
   Choices choices(made);

@@ -82,7 +82,7 @@ private:
   static std::vector<Pair> inputs_of(const std::string* choices, const std::string* first) {
     std::vector<Pair> all;
     if (choices != nullptr) {
-      std::istringstream lists(*choices);
+      std::istringstream lists(*choices + ";");
       for (std::string list; std::getline(lists, list, ';');) {
         std::istringstream numbers(list);
         std::vector<std::uint64_t> given;
