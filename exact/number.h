@@ -10,6 +10,7 @@
 // would take ten times as long to compile.
 #pragma once
 
+#include <cmath>
 #include <compare>
 #include <concepts>
 #include <cstddef>
@@ -84,6 +85,12 @@ Decimal cos(const Decimal& radians);
 Decimal tan(const Decimal& radians);
 Decimal atan2(const Decimal& y, const Decimal& x);
 const Decimal& pi();
+
+// 1/x; 0 for infinity.
+template <class N>
+N inverse_of(double x) {
+  return std::isinf(x) ? N() : N(1) / N(x);
+}
 
 // |value - exact|; infinity where the value is infinite or NaN.
 template <class Kind>

@@ -54,34 +54,6 @@ Expected crossing_of(const lab_05::Edge& edge, const char* field = "crossing") {
   return point(field, exact_crossing(edge), crossing_error(edge), "clip units");
 }
 
-// Checks that every vertex is either a vertex of the polygon itself or exactly on the plane, as a
-// crossing is.
-std::optional<Divergence> find_vertex_off_plane(const lab_05::PlaneCase& input,
-                                                const Answer& answer) {
-  const auto* values = find_field(answer, "polygon");
-  // compare_outlines() has reported a missing field before
-  if (values == nullptr) return std::nullopt;
-  for (std::size_t i = 0; i + 4 <= values->size(); i += 4) {
-    const double* v = values->data() + i;
-    const Point<Clip> p{float(v[0]), float(v[1]), float(v[2]), float(v[3])};
-    const double plane_distance = signed_distance(pipeline_plane(input.plane), p);
-    const bool kept =
-        std::find(input.polygon.begin(), input.polygon.end(), p) != input.polygon.end();
-    if (kept || plane_distance == 0) continue;
-    return Divergence{
-        .kind = Divergence::Kind::kPosition,
-        .field = "polygon",
-        .index = i,
-        .element = fmt::format("vertex {}, distance from the plane", i / 4),
-        .actual = plane_distance,
-        .distance = std::abs(plane_distance),
-        .unit = "clip units",
-        .explanation =
-            "this vertex is neither exactly a vertex of the polygon nor exactly on the plane"};
-  }
-  return std::nullopt;
-}
-
 Case expect_outline(const std::string& what, const std::string& text,
                     std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes) {
   const ExactOutline outline = exact_clip(polygon, planes);
@@ -91,15 +63,20 @@ Case expect_outline(const std::string& what, const std::string& text,
           .judge = [outline](const Answer& answer) { return compare_outlines(outline, answer); }};
 }
 
+// The distance of a vertex of an answer from a plane of the frustum: a sum of at most two floats,
+// so its sign is exact.
+double answer_distance(const lab_05::Plane& plane, const double* v) {
+  return distance_from(plane, {float(v[0]), float(v[1]), float(v[2]), float(v[3])});
+}
+
 // Checks that the crossing is near where it should be, and that its distance from the plane is
 // exactly 0.
 std::optional<Divergence> judge_on_plane(const lab_05::Edge& edge, const Expected& crossing,
                                          const Answer& answer) {
   auto found = compare(crossing, answer).first;
   if (found) return found;
-  const auto& v = *find_field(answer, crossing.field);
-  const Point<Clip> cut{float(v[0]), float(v[1]), float(v[2]), float(v[3])};
-  const double plane_distance = signed_distance(pipeline_plane(edge.plane), cut);
+  const double plane_distance =
+      answer_distance(edge.plane, find_field(answer, crossing.field)->data());
   if (plane_distance == 0) return found;
   return Divergence{.kind = Divergence::Kind::kPosition,
                     .field = "crossing",
@@ -140,18 +117,13 @@ Numbers4 numbers_of(const Point<Clip>& p) {
   return {p.x, p.y, p.z, p.w};
 }
 
-// The distance from a plane of the frustum: a sum of at most two floats, so its sign is exact.
-double distance_in_double(const lab_05::Plane& plane, const Numbers4& p) {
-  return plane.a * p[0] + plane.b * p[1] + plane.c * p[2] + plane.d * p[3];
-}
-
 // The crossing in double. It differs from the exact one by a few roundings of double: less than
 // 2^-48 of the edge's largest coordinate, or 2^-24 of its error bound.
 constexpr double kShareOfBound = 0x1p-24;
 Numbers4 crossing_in_double(const lab_05::Edge& edge) {
   const Numbers4 p = numbers_of(edge.p), q = numbers_of(edge.q);
-  const double at_p = std::abs(distance_in_double(edge.plane, p));
-  const double at_q = std::abs(distance_in_double(edge.plane, q));
+  const double at_p = std::abs(distance_from(edge.plane, edge.p));
+  const double at_q = std::abs(distance_from(edge.plane, edge.q));
   Numbers4 cut{};
   for (std::size_t i = 0; i < 4; ++i) cut[i] = (p[i] * at_q + q[i] * at_p) / (at_p + at_q);
   return cut;
@@ -174,8 +146,8 @@ std::vector<PartVertex> part_of(const lab_05::PlaneCase& input) {
   const std::size_t n = input.polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
     const lab_05::Edge edge{input.plane, input.polygon[i], input.polygon[(i + 1) % n]};
-    const double here = distance_in_double(input.plane, numbers_of(edge.p));
-    const double next = distance_in_double(input.plane, numbers_of(edge.q));
+    const double here = distance_from(input.plane, edge.p);
+    const double next = distance_from(input.plane, edge.q);
     if (here >= 0) part.push_back({numbers_of(edge.p), 0});
     if ((here < 0 && next > 0) || (here > 0 && next < 0)) {
       part.push_back({crossing_in_double(edge), crossing_error(edge) * (1 + kShareOfBound)});
@@ -186,17 +158,15 @@ std::vector<PartVertex> part_of(const lab_05::PlaneCase& input) {
 
 bool is_vertex(const lab_05::Plane& plane, const PartVertex& vertex, const double* actual) {
   const double distance = distance_between_points(vertex.place, actual);
-  if (vertex.bound > 0)
-    return distance <= vertex.bound &&
-           distance_in_double(plane, {actual[0], actual[1], actual[2], actual[3]}) == 0;
+  if (vertex.bound > 0) return distance <= vertex.bound && answer_distance(plane, actual) == 0;
   for (std::size_t i = 0; i < 4; ++i) {
     if (std::signbit(vertex.place[i]) != std::signbit(actual[i])) return false;
   }
   return distance == 0;
 }
 
-// Whether the answer has the vertices of `part`, beginning with any; neighbours that are new may be
-// one vertex of the answer.
+// Whether the answer has the vertices of `part`, beginning with any. Neighbours that are both new
+// may be one vertex of the answer.
 bool has_vertices(const lab_05::Plane& plane, const std::vector<PartVertex>& part,
                   const std::vector<double>& actual) {
   const std::size_t given = actual.size() / 4;
@@ -206,7 +176,9 @@ bool has_vertices(const lab_05::Plane& plane, const std::vector<PartVertex>& par
     std::uint32_t ends = 0;
     for (std::size_t i = 0; i < part.size(); ++i) {
       const PartVertex& vertex = part[(start + i) % part.size()];
-      std::uint32_t next = i == 0 ? 1 : ends << 1 | (vertex.bound > 0 ? ends : 0);
+      const PartVertex& before = part[(start + i + part.size() - 1) % part.size()];
+      const bool both_new = vertex.bound > 0 && before.bound > 0;
+      std::uint32_t next = i == 0 ? 1 : ends << 1 | (both_new ? ends : 0);
       for (std::size_t j = 0; j < given; ++j) {
         if ((next >> j & 1) != 0 && !is_vertex(plane, vertex, actual.data() + 4 * j))
           next &= ~(1u << j);
@@ -237,21 +209,6 @@ bool right_part(const lab_05::PlaneCase& input, const Answer& answer) {
   const std::vector<PartVertex> part = part_of(input);
   if (actual->empty()) return part.size() < 3 || least_vertices(part) < 3;
   return actual->size() >= 12 && part.size() >= 3 && has_vertices(input.plane, part, *actual);
-}
-
-Case expect_part(const lab_05::PlaneCase& input) {
-  Case c = expect_polygon(input);
-  c.judge = [input, before = c.judge](const Answer& answer) -> std::optional<Divergence> {
-    if (right_part(input, answer)) return std::nullopt;
-    if (auto found = before(answer)) return found;
-    return Divergence{.kind = Divergence::Kind::kPosition,
-                      .field = "polygon",
-                      .unit = "clip units",
-                      .explanation =
-                          "a corner that is kept must keep its bits, and a new vertex "
-                          "must be within the bound of 5.3"};
-  };
-  return c;
 }
 
 Case expect_edge(const lab_05::Edge& edge) {
@@ -286,13 +243,10 @@ bool right_edge(const lab_05::Edge& edge, const Answer& answer) {
     if ((*there)[i] != (*back)[i] || std::signbit((*there)[i]) != std::signbit((*back)[i]))
       return false;
   }
-  if (distance_in_double(edge.plane, {(*there)[0], (*there)[1], (*there)[2], (*there)[3]}) != 0)
-    return false;
-  const double bound = crossing_error(edge);
-  const double distance = distance_between_points(crossing_in_double(edge), there->data());
-  if (distance <= bound * (1 - kShareOfBound)) return true;
-  if (!(distance <= bound * (1 + kShareOfBound))) return false;
-  return !judge_case(expect_edge(edge), answer);
+  if (answer_distance(edge.plane, there->data()) != 0) return false;
+  const Numbers4 cut = crossing_in_double(edge);
+  const auto judged = judge_nearly({cut.begin(), cut.end()}, crossing_error(edge), there);
+  return judged ? *judged : !judge_case(expect_edge(edge), answer);
 }
 
 bool right_triangle(const lab_05::FrustumCase& input, const Answer& answer) {
@@ -330,9 +284,15 @@ Case expect_polygon(const lab_05::PlaneCase& input) {
       what,
       fmt::format("\nplane {} x + {} y + {} z + {} w >= 0", plane.a, plane.b, plane.c, plane.d),
       polygon, std::array{pipeline_plane(plane)});
-  c.judge = [input, outline = c.judge](const Answer& answer) {
-    auto found = outline(answer);
-    return found ? found : find_vertex_off_plane(input, answer);
+  c.judge = [input, outline = c.judge](const Answer& answer) -> std::optional<Divergence> {
+    if (right_part(input, answer)) return std::nullopt;
+    if (auto found = outline(answer)) return found;
+    return Divergence{.kind = Divergence::Kind::kPosition,
+                      .field = "polygon",
+                      .unit = "clip units",
+                      .explanation =
+                          "a corner that is kept must keep its bits, and a new vertex "
+                          "must be within the bound of 5.3 and exactly on the plane"};
   };
   return c;
 }

@@ -68,24 +68,25 @@ inline std::vector<FlatCorner> triangle_corners(Choices& c) {
 
 // A face in the plane of two vectors, of up to 2 `size` each, and an eye in this plane, a step
 // beside it, or anywhere. The eye may be in the middle of an edge.
-template <std::vector<FlatCorner> (*kCorners)(Choices&)>
-FaceCase any_face(Choices& c, std::int64_t reach, std::int64_t size) {
+inline FaceCase any_face(Choices& c, std::vector<FlatCorner> (*corners)(Choices&),
+                         std::int64_t reach, std::int64_t size) {
   const Steps origin = steps_within(c, reach);
   Steps u = steps_within(c, size), v = steps_within(c, size);
   const bool flat = u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
   if (flat) u = {1, 0, 0}, v = {0, 1, 0};
   const std::int64_t scale = 1 + std::int64_t(c.below(2));
   FaceQuestion question;
-  for (const auto& [a, b] : kCorners(c))
+  for (const auto& [a, b] : corners(c))
     question.face.push_back(position(in_plane(origin, u, a * scale, v, b * scale)));
   const std::int64_t s = c.integer(-3, 6), t = c.integer(-3, 6);
-  Steps eye = in_plane(origin, u, s, v, t);
-  if (!in_range(eye)) eye = in_plane(origin, u, 1, v, scale - 1);
   const std::uint64_t where = c.below(8);
   const std::int64_t step = c.flag() ? -1 : 1;
-  if (where == 1) eye.x += step;
-  if (where == 2) eye.y += step;
-  if (where == 3) eye.z += step;
+  Steps from = origin;  // or a step beside it, and with it the eye
+  if (where == 1) from.x += step;
+  if (where == 2) from.y += step;
+  if (where == 3) from.z += step;
+  Steps eye = in_plane(from, u, s, v, t);
+  if (!in_range(eye)) eye = in_plane(from, u, 1, v, scale - 1);
   if (where == 4) eye = steps_within(c, kLargestStep);
   question.eye = position(eye);
   return {question};
@@ -95,13 +96,13 @@ inline std::vector<InputClass<FaceCase>> generated_faces() {
   return {{"triangles of every size, seen edge-on and from a step beside (C-27, C-28)", 40'000,
            [](Choices& c) {
              const std::int64_t size = std::int64_t(1) << c.below(11);
-             return any_face<triangle_corners>(c, 4096, size);
+             return any_face(c, triangle_corners, 4096, size);
            }},
           {"large triangles, seen edge-on and from a step beside", 20'000,
-           [](Choices& c) { return any_face<triangle_corners>(c, 4000, 2047); }},
+           [](Choices& c) { return any_face(c, triangle_corners, 4000, 2047); }},
           {"faces with reflex corners, of which any may be the first", 40'000, [](Choices& c) {
              const std::int64_t size = std::int64_t(1) << c.below(8);
-             return any_face<zigzag>(c, 4000, size);
+             return any_face(c, zigzag, 4000, size);
            }}};
 }
 
@@ -207,13 +208,17 @@ inline float& own_coordinate(const Plane& plane, ClipPoint& p) {
   return plane.a != 0 ? p.x : plane.b != 0 ? p.y : p.z;
 }
 // Moves a point that is not strictly on the wanted side (1: inside, -1: outside) there: to the next
-// float beside the plane.
+// float beside the plane. Beside the largest float there is none; then w becomes smaller in size,
+// which has the same effect on the distance.
 inline void put_strictly_on_side(const Plane& plane, ClipPoint& p, int side) {
   const double factor = plane.a + plane.b + plane.c;  // only one of the three is not 0
   float& own = own_coordinate(plane, p);
   const auto on_plane = float(-plane.d * factor * double(p.w));
-  if ((double(own) - on_plane) * factor * side <= 0)
-    own = std::nextafter(on_plane, float(factor * side * HUGE_VAL));
+  if ((double(own) - on_plane) * factor * side > 0) return;
+  own = std::nextafter(on_plane, float(factor * side * HUGE_VAL));
+  if (std::isfinite(own)) return;
+  own = on_plane;
+  p.w = std::nextafter(p.w, 0.0f);
 }
 
 inline Plane any_plane(Choices& c) {
@@ -243,21 +248,31 @@ inline Edge any_edge(Choices& c, int size, int spread) {
 inline Edge edge_close_to_plane(Choices& c) {
   const Plane plane = any_plane(c);
   const ClipPoint p = any_clip_point(c, -3, 3), q = any_clip_point(c, -3, 3);
-  const double at_p = std::fabs(c.real(-60, 2)), at_q = -std::fabs(c.real(-60, 2));
+  const double at_p = c.positive(-60, 2), at_q = -c.positive(-60, 2);
   return edge_between(c, plane, point_at(plane, at_p, p.x, p.y, p.z, p.w),
                       point_at(plane, at_q, q.x, q.y, q.z, q.w));
 }
-// An edge whose crossing with the near plane is half-way between two floats (C-38). Its x goes from
-// middle + k step to middle - m step, where z goes from k to -m.
-inline Edge edge_with_tie(Choices& c) {
+// The x and z of the ends of an edge whose crossing with the near plane is half-way between two
+// floats (C-38). x goes from middle - k step to middle + m step, where z goes from k to -m.
+struct TiedEnds {
+  float p_x, p_z, q_x, q_z;
+};
+// In halves, the middle is an odd number between 2^24 and 3 * 2^23. The ends have to be floats.
+// That of p is whole and below 2^24 in size. That of q is below 2^26 and a multiple of 4:
+// middle + m step is a multiple of 8, because m^2 - 1 is. With ends so far apart, p + t (q - p) in
+// double, rounded once, gives one in 30 of these edges different crossings from its two ends.
+inline TiedEnds tied_ends(Choices& c) {
   const auto k = 1 + 2 * std::int64_t(c.below(8)), m = 1 + 2 * std::int64_t(c.below(8));
   const std::int64_t middle = (std::int64_t(1) << 24) + 2 * std::int64_t(c.below(1u << 22)) + 1;
-  const std::int64_t step = 2 * c.integer(-200'000, 200'000) + 1;
-  // In halves: the middle is an odd number of halves between 2^24 and 2^25; x of the ends is whole.
-  const float p_x = float(double(middle + k * step) / 2);
-  const float q_x = float(double(middle - m * step) / 2);
+  const std::int64_t most = std::min((std::int64_t(1) << 25) / k, (std::int64_t(1) << 26) / m);
+  const std::int64_t step = 8 - middle * m % 8 + 8 * std::int64_t(c.below(std::uint64_t(most / 8)));
+  return {float(double(middle - k * step) / 2), float(k), float(double(middle + m * step) / 2),
+          -float(m)};
+}
+inline Edge edge_with_tie(Choices& c) {
+  const auto [p_x, p_z, q_x, q_z] = tied_ends(c);
   const float y = any_float(c, -3, 3);
-  return edge_between(c, kFrustum[0], {p_x, y, float(k), 8}, {q_x, 2, -float(m), 16});
+  return edge_between(c, kFrustum[0], {p_x, y, p_z, 8}, {q_x, 2, q_z, 16});
 }
 
 inline std::vector<InputClass<Edge>> generated_edges() {
@@ -371,18 +386,20 @@ inline FrustumCase large_triangle(Choices& c) {
   Corners corners;
   for (ClipPoint& p : corners) {
     const float w = between(c, 1, 4), z = between(c, -4, 6);
-    p = {between(c, -8, 8), between(c, -8, 8), z, w};
+    const float x = between(c, -8, 8);
+    p = {x, between(c, -8, 8), z, w};
   }
   return one_triangle(corners);
+}
+inline ClipPoint scaled(const ClipPoint& p, int size) {
+  return {std::ldexp(p.x, size), std::ldexp(p.y, size), std::ldexp(p.z, size),
+          std::ldexp(p.w, size)};
 }
 // The same at every scale; the planes have no scale of their own.
 inline FrustumCase scaled_triangle(Choices& c) {
   FrustumCase made = triangle_in_front(c);
   const int size = int(c.integer(-90, 120));
-  for (ClipPoint& p : made.triangle) {
-    p = {std::ldexp(p.x, size), std::ldexp(p.y, size), std::ldexp(p.z, size),
-         std::ldexp(p.w, size)};
-  }
+  for (ClipPoint& p : made.triangle) p = scaled(p, size);
   return made;
 }
 
@@ -394,12 +411,36 @@ inline std::vector<InputClass<FrustumCase>> generated_triangles() {
           {"triangles of every scale (C-40)", 1'000, scaled_triangle}};
 }
 
-// Two triangles that share an edge, in front of the eye or through it.
+// A point in the picture, or on its edges.
+inline ClipPoint point_in_picture(Choices& c) {
+  constexpr std::int64_t kWhole = 1 << 16;
+  const auto coordinate = [](std::int64_t steps) { return float(double(steps) / kWhole); };
+  const std::int64_t w = c.integer(kWhole, 6 * kWhole), x = c.integer(-w, w);
+  const std::int64_t y = c.integer(-w, w), z = c.integer(0, w);
+  return {coordinate(x), coordinate(y), coordinate(z), coordinate(w)};
+}
+// Two triangles that share an edge, in front of the eye or through it. One end is in the picture,
+// so that a part of the edge is left.
+inline PairsCase pair_of_triangles(Choices& c) {
+  const ClipPoint a = point_in_picture(c), b = corner(c, -2), p = corner(c, 1);
+  return {Pair{{a, b}, {p, corner(c, 1)}}};
+}
+// The crossing of the shared edge with the near plane is half-way between two floats, and in the
+// picture: |x| < w there.
+inline PairsCase pair_with_tie(Choices& c) {
+  const auto [p_x, p_z, q_x, q_z] = tied_ends(c);
+  const float p_y = between(c, -9, 9);
+  const ClipPoint p{p_x, p_y, p_z, 0x1p26f}, q{q_x, between(c, -9, 9), q_z, 0x1p26f};
+  const ClipPoint apex = scaled(corner(c, 1), 24);
+  const Pair pair{{p, q}, {apex, scaled(corner(c, 1), 24)}};
+  if (c.flag()) return {Pair{{q, p}, pair.apexes}};
+  return {pair};
+}
+
 inline std::vector<InputClass<PairsCase>> generated_pairs() {
-  return {{"two triangles with a common edge (C-38)", 4'000, [](Choices& c) {
-             const ClipPoint a = corner(c, 1), b = corner(c, -2), p = corner(c, 1);
-             return PairsCase{Pair{{a, b}, {p, corner(c, 1)}}};
-           }}};
+  return {{"two triangles with a common edge that begins in the picture (C-38)", 3'000,
+           pair_of_triangles},
+          {"a common edge that is cut half-way between two floats (C-38)", 2'000, pair_with_tie}};
 }
 
 }  // namespace lab_05

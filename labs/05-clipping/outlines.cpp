@@ -161,23 +161,34 @@ ExactOutline exact_clip(std::span<const Point<Clip>> polygon, std::span<const Cl
   exact::ExactPolygon<Rational> corners;
   for (const Point<Clip>& p : polygon) corners.push_back(exact::exact_point<Rational>(p));
   const exact::ExactPolygon<Rational> kept = exact::clip(corners, planes);
-  ExactOutline made{labs::polygon("polygon", 4, {}, bound_of(polygon, planes), "clip units"), {}};
+  ExactOutline made{
+      labs::polygon("polygon", 4, {}, bound_of(polygon, planes), "clip units"), {}, {}};
   std::vector<double>& values = kept.size() < 3 ? made.touched : made.expected.values;
   for (const auto& p : kept) {
     for (const Rational* each : {&p.x, &p.y, &p.z, &p.w}) values.push_back(double(*each));
   }
+  for (const Point<Clip>& p : polygon)
+    made.corners.insert(made.corners.end(), {p.x, p.y, p.z, p.w});
   return made;
 }
 
 namespace {
 
-// Reports what no polygon may have: equal neighbours; and a polygon with only one or two vertices.
+constexpr std::size_t kMostVertices = 9;
+
+// Reports what no polygon may have: equal neighbours, only one or two vertices, or more than nine.
 std::optional<Divergence> find_degenerate_outline(const std::vector<double>& values) {
   const auto outline = outline_of(values);
   Divergence found{.kind = Divergence::Kind::kExtra, .field = "polygon", .unit = "clip units"};
   if (outline.size() == 1 || outline.size() == 2) {
     found.explanation =
         "a polygon has at least three vertices; the answer must be empty if fewer are left";
+    return found;
+  }
+  if (outline.size() > kMostVertices) {
+    found.index = 4 * kMostVertices;
+    found.element = fmt::format("vertex {}", kMostVertices);
+    found.explanation = "three corners and six planes make nine vertices at most";
     return found;
   }
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -255,22 +266,53 @@ bool is_near(const std::vector<double>& touched, const std::vector<double>& actu
   return true;
 }
 
+bool has_vertex_near(const std::vector<double>& outline, const double* point, double reach) {
+  for (std::size_t i = 0; i < outline.size(); i += 4) {
+    double distance = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      distance = std::max(distance, std::abs(outline[i + k] - point[k]));
+    if (distance <= reach) return true;
+  }
+  return false;
+}
+
+// How many planes of the frustum pass within `reach` of the point, measured along each axis. Such a
+// step changes the distance from the plane by `reach` times its coefficients' sum at most.
+std::ptrdiff_t planes_near(const double* point, double reach) {
+  return std::count_if(lab_05::kFrustum.begin(), lab_05::kFrustum.end(), [&](const auto& p) {
+    const double sum = std::abs(p.a) + std::abs(p.b) + std::abs(p.c) + std::abs(p.d);
+    const double distance = p.a * point[0] + p.b * point[1] + p.c * point[2] + p.d * point[3];
+    return std::abs(distance) <= sum * reach;
+  });
+}
+
+// Whether rounding may have put a vertex there that the exact outline does not have: a crossing of
+// a plane with an edge of the triangle, or with an edge that another plane made.
+bool may_be_crossing(const ExactOutline& outline, const double* point, double reach) {
+  const bool on_own_edge = place_on_outline(outline.corners, point, reach).has_value();
+  return planes_near(point, reach) >= (on_own_edge ? 1 : 2);
+}
+
 // Whether two outlines are the same line, passed in the same direction, although their vertices
 // differ. If a crossing is exactly on a later plane, its rounding decides whether that plane cuts
 // it off, which may add or remove a vertex; the line moves by no more than the bound.
-bool are_one_line(const std::vector<double>& exact, const std::vector<double>& actual,
-                  double reach) {
+bool are_one_line(const ExactOutline& outline, const std::vector<double>& actual, double reach) {
+  const std::vector<double>& exact = outline.expected.values;
   if (exact.size() < 12 || actual.size() < 12 || actual.size() % 4 != 0) return false;
   for (std::size_t i = 0; i < exact.size(); i += 4) {
     if (!place_on_outline(actual, exact.data() + i, reach)) return false;
   }
   std::vector<double> places;
   for (std::size_t i = 0; i < actual.size(); i += 4) {
-    const auto place = place_on_outline(exact, actual.data() + i, reach);
+    const double* vertex = actual.data() + i;
+    const auto place = place_on_outline(exact, vertex, reach);
     if (!place) return false;
+    if (!has_vertex_near(exact, vertex, reach) && !may_be_crossing(outline, vertex, reach))
+      return false;
     places.push_back(*place);
   }
-  // Around the outline the places grow but once, where it closes.
+  // Around the outline each place is larger than the one before, except once, where the outline
+  // closes.
   int descents = 0;
   for (std::size_t i = 0; i < places.size(); ++i)
     descents += places[(i + 1) % places.size()] < places[i] ? 1 : 0;
@@ -295,7 +337,7 @@ std::optional<Divergence> compare_outlines(const ExactOutline& outline, const An
   const auto merged =
       some_are_near ? compare_from_any(fewer, without_near_vertices(*actual, 2 * expected.bound))
                     : found;
-  if (!merged || are_one_line(expected.values, *actual, 2 * expected.bound)) return std::nullopt;
+  if (!merged || are_one_line(outline, *actual, 2 * expected.bound)) return std::nullopt;
   return merged;
 }
 

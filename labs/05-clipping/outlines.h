@@ -29,14 +29,16 @@ std::string restated(std::span<const Point<Clip>> polygon);
 struct ExactOutline {
   Expected expected;            // empty if there are fewer than three vertices
   std::vector<double> touched;  // the vertices, if there are one or two
+  std::vector<double> corners;  // of the polygon before it was clipped
 };
 // `expected.bound` is how far each number of an answer may be off.
 ExactOutline exact_clip(std::span<const Point<Clip>> polygon, std::span<const ClipPlane> planes);
 
 // Compares a clipped polygon with the expected one; any vertex may come first. Returns nothing if
 // the answer's field is right. Vertices nearer to each other than the bound may be merged into one,
-// and there may be other vertices on the same line, where rounding decides what a plane cuts off;
-// but no two neighbours may be equal, and an answer must not have one or two vertices.
+// and there may be other vertices on the same line, next to a plane, where rounding decides what
+// the plane cuts off; but no two neighbours may be equal, and an answer must not have one or two
+// vertices, or more than nine.
 std::optional<Divergence> compare_outlines(const ExactOutline& outline, const Answer& answer);
 
 // Compares how two triangles that share an edge were clipped: each end of the part of the edge that
@@ -60,7 +62,6 @@ Case expect_fan(const int& count);
 // (generated_check() in lab.h).
 Case expect_edge(const lab_05::Edge& edge);
 bool right_edge(const lab_05::Edge& edge, const Answer& answer);
-Case expect_part(const lab_05::PlaneCase& input);
 bool right_part(const lab_05::PlaneCase& input, const Answer& answer);
 bool right_triangle(const lab_05::FrustumCase& input, const Answer& answer);
 bool right_pairs(const lab_05::PairsCase& pairs, const Answer& answer);

@@ -85,9 +85,14 @@ Polygon clip_by_plane(const Polygon& polygon, const Plane& plane);
 
 // The part of a triangle inside all six planes: 3 to 9 vertices in the triangle's order, beginning
 // with any, or none. No two neighbours (the last and the first are neighbours) have equal
-// coordinates. w of the corners may be negative; coordinates are below 2^125 in size. Two triangles
-// that share an edge, which one of them passes from A to B and the other from B to A, are cut at
-// points with the same bits.
+// coordinates. w of the corners may be negative; coordinates are 0 or from 2^-106 to 2^125 in size.
+// Two triangles that share an edge, which one of them passes from A to B and the other from B to A,
+// are cut at points with the same bits.
+// Error bound: with u and M as in 5.3, a new vertex may be off by 8 u M plus what the errors of its
+// edge's ends do to the exact crossing. Each vertex may be off by as much as the worst of all
+// vertices after any of the planes. Within twice that, rounding decides: vertices so near to each
+// other may be one, and where a plane passes so near to an edge (of the triangle, or made by an
+// earlier plane), a vertex on both may be there or not.
 Polygon clip_to_frustum(const std::array<Point<Clip>, 3>& triangle);
 
 }  // namespace lab_05

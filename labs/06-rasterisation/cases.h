@@ -287,12 +287,12 @@ inline std::vector<PolygonsCase> thin_polygons() {
 struct TileCase {
   const char* what;
   Triangle triangle;
-  int side = 8;  // of a square tile, in pixels
-  std::vector<PixelRect> tiles;
+  std::vector<PixelRect> tiles;  // of one size
 };
 
+// Square tiles, `side` pixels wide.
 inline TileCase tiling(const char* what, const Triangle& t, int side, const PixelRect& screen) {
-  TileCase c{what, t, side, {}};
+  TileCase c{what, t, {}};
   for (int y = screen.y0; y < screen.y1; y += side) {
     for (int x = screen.x0; x < screen.x1; x += side) c.tiles.push_back({x, y, x + side, y + side});
   }

@@ -255,16 +255,17 @@ Case expect_tiles(const TileCase& input) {
   std::vector<double> covers;
   for (const PixelRect& tile : input.tiles)
     covers.push_back(setup ? int(cover_of(*setup, tile)) : -1);
+  const PixelRect& first = input.tiles[0];
   int columns = 0;
   while (std::size_t(columns) < input.tiles.size() &&
-         input.tiles[std::size_t(columns)].y0 == input.tiles[0].y0)
+         input.tiles[std::size_t(columns)].y0 == first.y0)
     ++columns;
   Case made = expect_numbers(
       input.what,
       fmt::format("{}\ntiles of {} x {} pixels, {} to a row, the first at pixel ({}, {}); "
                   "0 kNone, 1 kSome, 2 kAll",
-                  text_of(input.triangle), input.side, input.side, columns, input.tiles[0].x0,
-                  input.tiles[0].y0),
+                  text_of(input.triangle), first.x1 - first.x0, first.y1 - first.y0, columns,
+                  first.x0, first.y0),
       "tiles", covers);
   for (const Rule& rule : kSlippedRules) {
     std::vector<double> slipped;

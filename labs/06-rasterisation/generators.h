@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -22,8 +21,9 @@ inline constexpr std::int32_t kLargest = (1 << 24) - 1;  // steps: the largest p
 // ---- positions (task 6.1) ----
 
 inline SnapCase one_position(double pixels) {
-  // Every generated double is in the range of float; the conversion rounds to the nearest one.
-  return {"a position", {float(pixels)}};
+  // The conversion rounds to the nearest float, which could be 2^16 without the clamp.
+  constexpr double kMost = 0x1p16 - 0x1p-8;  // the largest float below
+  return {"a position", {float(std::clamp(pixels, -kMost, kMost))}};
 }
 
 inline std::vector<InputClass<SnapCase>> generated_positions() {
@@ -62,6 +62,11 @@ inline SnappedVertex moved(const SnappedVertex& v, std::int64_t x, std::int64_t 
   };
   return {inside(v.x + x), inside(v.y + y)};
 }
+// A vertex up to `reach` steps away along each axis.
+inline SnappedVertex moved_by_up_to(Choices& c, const SnappedVertex& v, std::int64_t reach) {
+  const std::int64_t x = c.integer(-reach, reach);
+  return moved(v, x, c.integer(-reach, reach));
+}
 // A vertex next to another one, on the same row or column, or anywhere.
 inline SnappedVertex vertex_beside(Choices& c, const SnappedVertex& v) {
   switch (c.below(4)) {
@@ -70,7 +75,7 @@ inline SnappedVertex vertex_beside(Choices& c, const SnappedVertex& v) {
     case 1:
       return {v.x, any_position(c)};
     case 2:
-      return moved(v, c.integer(-2, 2), c.integer(-2, 2));
+      return moved_by_up_to(c, v, 2);
     default:
       return any_vertex(c);
   }
@@ -87,7 +92,7 @@ struct VectorAndPoint {
   SnappedVertex d, p;  // d x p is the greatest common divisor of d.x and d.y (or its negative)
 };
 inline VectorAndPoint vector_and_point(Choices& c) {
-  const SnappedVertex d{any_position(c), any_position(c)};
+  const SnappedVertex d = any_vertex(c);
   const auto [u, v] = glassbox::labs::bezout(d.x, d.y);
   return {d, {std::int32_t(-v), std::int32_t(u)}};
 }
@@ -113,8 +118,7 @@ inline EdgeCase point_on_edge(Choices& c) {
   const SnappedVertex a = vertex_within(c, kLargest / 2);
   const SnappedVertex b = moved(a, small.x * steps, small.y * steps);
   const std::int64_t along = c.integer(-2, steps + 2);
-  return one_edge(a, b,
-                  moved(a, small.x * along + c.integer(-1, 1), small.y * along + c.integer(-1, 1)));
+  return one_edge(a, b, moved_by_up_to(c, moved(a, small.x * along, small.y * along), 1));
 }
 
 inline EdgeCase point_beside_edge(Choices& c) {
@@ -125,8 +129,12 @@ inline EdgeCase point_beside_edge(Choices& c) {
 
 // Three corners of the whole range, each moved by a few steps: the largest products.
 inline SnappedVertex far_corner(Choices& c) {
-  const std::int32_t x = (c.flag() ? -1 : 1) * (kLargest - std::int32_t(c.below(4)));
-  return {x, (c.flag() ? -1 : 1) * (kLargest - std::int32_t(c.below(4)))};
+  const auto coordinate = [&c] {
+    const std::int32_t sign = c.flag() ? -1 : 1;
+    return sign * (kLargest - std::int32_t(c.below(4)));
+  };
+  const std::int32_t x = coordinate();
+  return {x, coordinate()};
 }
 
 inline std::vector<InputClass<EdgeCase>> generated_edges() {
@@ -179,8 +187,8 @@ inline CoverageCase triangle_on_centres(Choices& c) {
 inline CoverageCase small_triangle(Choices& c) {
   const SnappedVertex a = vertex_within(c, 2000);
   const SnappedVertex b = vertex_beside(c, a);
-  return one_triangle({a, b, moved(a, c.integer(-2000, 2000), c.integer(-2000, 2000))},
-                      window_around(c, a));
+  const SnappedVertex third = moved_by_up_to(c, a, 2000);
+  return one_triangle({a, b, third}, window_around(c, a));
 }
 
 // The point at a fraction t of an edge, rounded down to a step.
@@ -192,38 +200,44 @@ inline SnappedVertex along(const SnappedVertex& a, const SnappedVertex& b, std::
 
 // A triangle of any size, seen where one of its edges passes.
 inline CoverageCase window_at_edge(Choices& c) {
-  const Triangle t{any_vertex(c), any_vertex(c), any_vertex(c)};
+  Triangle t;
+  for (SnappedVertex& v : t) v = any_vertex(c);
   const std::size_t k = c.below(3);
-  return one_triangle(
-      t, window_around(c, along(t[k], t[(k + 1) % 3], c.integer(0, 1 << 20), 1 << 20)));
+  const SnappedVertex passed = along(t[k], t[(k + 1) % 3], c.integer(0, 1 << 20), 1 << 20);
+  return one_triangle(t, window_around(c, passed));
+}
+
+inline SnappedVertex any_centre(Choices& c) {
+  const auto x = std::int32_t(c.integer(-30'000, 30'000)) * kSteps + kCentre;
+  return {x, std::int32_t(c.integer(-30'000, 30'000)) * kSteps + kCentre};
 }
 
 // A large triangle with an edge that passes exactly through the centre of a pixel: both ends are
 // moved from the centre by multiples of the same small vector.
 inline CoverageCase edge_through_centre(Choices& c) {
-  const SnappedVertex centre{std::int32_t(c.integer(-30'000, 30'000)) * kSteps + kCentre,
-                             std::int32_t(c.integer(-30'000, 30'000)) * kSteps + kCentre};
+  const SnappedVertex centre = any_centre(c);
   const SnappedVertex d = vertex_within(c, 300);
   const std::int64_t forth = c.integer(1, 25'000), back = c.integer(1, 25'000);
   const SnappedVertex a = moved(centre, d.x * forth, d.y * forth),
                       b = moved(centre, -d.x * back, -d.y * back);
-  return one_triangle({a, b, any_vertex(c)}, window_around(c, centre));
+  const SnappedVertex third = any_vertex(c);
+  return one_triangle({a, b, third}, window_around(c, centre));
 }
 
 // A triangle of any size with an edge that passes a centre as closely as the grid allows.
 inline CoverageCase edge_beside_centre(Choices& c) {
-  const SnappedVertex centre{std::int32_t(c.integer(-30'000, 30'000)) * kSteps + kCentre,
-                             std::int32_t(c.integer(-30'000, 30'000)) * kSteps + kCentre};
+  const SnappedVertex centre = any_centre(c);
   const Edge edge = edge_beside(c, centre);
-  return one_triangle({edge.a, edge.b, any_vertex(c)}, window_around(c, centre));
+  const SnappedVertex third = any_vertex(c);
+  return one_triangle({edge.a, edge.b, third}, window_around(c, centre));
 }
 
 // A thin triangle: its corners are near a line.
 inline CoverageCase sliver(Choices& c) {
   const SnappedVertex a = vertex_within(c, 4000), b = vertex_within(c, 4000);
   const SnappedVertex p = along(a, b, c.integer(-4, 8), 4);
-  return one_triangle({a, b, moved(p, c.integer(-3, 3), c.integer(-3, 3))},
-                      window_around(c, along(a, b, c.integer(0, 4), 4)));
+  const SnappedVertex third = moved_by_up_to(c, p, 3), seen = along(a, b, c.integer(0, 4), 4);
+  return one_triangle({a, b, third}, window_around(c, seen));
 }
 
 inline std::vector<InputClass<CoverageCase>> generated_triangles() {
@@ -257,8 +271,7 @@ inline PolygonsCase thin_polygon(Choices& c) {
   const std::int64_t count = c.integer(2, 4);
   std::vector<SnappedVertex> polygon;
   const auto add = [&](std::int64_t i, std::int64_t off) {
-    polygon.push_back(
-        moved(a, d.x * i / 4 + c.integer(-off, off), d.y * i / 4 + c.integer(-off, off)));
+    polygon.push_back(moved_by_up_to(c, moved(a, d.x * i / 4, d.y * i / 4), off));
   };
   for (std::int64_t i = 0; i < count; ++i) add(i, 1);
   for (std::int64_t i = count - 1; i > 0; --i) add(i, 2);
@@ -275,7 +288,7 @@ inline std::vector<InputClass<PolygonsCase>> generated_polygons() {
 // ---- tiles (task 6.6) ----
 
 inline TileCase one_tile(const Triangle& t, const PixelRect& tile) {
-  return {"a tile", t, tile.x1 - tile.x0, {tile}};
+  return {"a tile", t, {tile}};
 }
 
 // Gives a triangle without area an area.
@@ -293,14 +306,15 @@ inline TileCase tile_of(const CoverageCase& input) {
 
 // An edge that passes within a step of one of the tile's corner centres.
 inline TileCase edge_at_corner(Choices& c) {
-  const PixelRect tile{0, 0, 1 + int(c.below(16)), 1 + int(c.below(16))};
-  const SnappedVertex corner{(c.flag() ? tile.x1 - 1 : 0) * kSteps + kCentre,
-                             (c.flag() ? tile.y1 - 1 : 0) * kSteps + kCentre};
+  const int width = 1 + int(c.below(16)), height = 1 + int(c.below(16));
+  const bool right = c.flag(), bottom = c.flag();
+  const SnappedVertex corner{(right ? width - 1 : 0) * kSteps + kCentre,
+                             (bottom ? height - 1 : 0) * kSteps + kCentre};
   const SnappedVertex d = vertex_within(c, 300);
   const std::int64_t n = c.integer(1, 100);
-  const Triangle t{moved(corner, d.x * n + c.integer(-1, 1), d.y * n + c.integer(-1, 1)),
-                   moved(corner, -d.x * n, -d.y * n), vertex_within(c, 20'000)};
-  return one_tile(with_area(t), tile);
+  const SnappedVertex a = moved_by_up_to(c, moved(corner, d.x * n, d.y * n), 1);
+  const Triangle t{a, moved(corner, -d.x * n, -d.y * n), vertex_within(c, 20'000)};
+  return one_tile(with_area(t), {0, 0, width, height});
 }
 
 inline std::vector<InputClass<TileCase>> generated_tiles() {

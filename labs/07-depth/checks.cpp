@@ -1,7 +1,12 @@
 // The expected answers of lab 7, computed by the program's projections and depth codes, and in
 // decimal arithmetic with 50 digits.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,6 +24,7 @@ namespace {
 
 using namespace lab_07;
 using exact::Decimal;
+using exact::inverse_of;
 
 std::string text_of(const Planes& p) {
   return fmt::format("near {}, far {}, {} range", p.near, p.far,
@@ -184,25 +190,55 @@ bool right_visible(const BufferCase& input, const Answer& answer) {
 
 // ---- 7.5 ----
 
-// 1/x, and 0 for infinity.
-Decimal inverse_of(double x) {
-  return std::isinf(x) ? Decimal(0) : Decimal(1) / Decimal(x);
+// Depth is linear in 1/d.
+struct Inverses {
+  Decimal at_far, here, whole;  // 1/far, 1/d, 1/near - 1/far
+  double depth = 0;             // at d, in the format's range
+};
+
+Inverses inverses_of(const LadderCase& input, double d) {
+  const Decimal at_near = inverse_of<Decimal>(input.near);
+  Inverses made{inverse_of<Decimal>(input.far), inverse_of<Decimal>(d), {}};
+  made.whole = at_near - made.at_far;
+  const bool reversed = input.format == Format::kFloat32Reversed;
+  made.depth = double((reversed ? made.here - made.at_far : at_near - made.here) / made.whole);
+  return made;
 }
 
+// One step of a format at this depth. The step of a float depends on the exponent of the depth.
+Decimal step_of(Format format, double depth) {
+  if (format == Format::kUnorm16 || format == Format::kUnorm24)
+    return Decimal(1) / Decimal(format == Format::kUnorm16 ? 65535 : 16777215);
+  return Decimal(std::ldexp(1.0, std::ilogb(depth) - 23));
+}
+
+struct Rung {
+  // As if there were no far plane: d/d' = 1/(1 + r), which may be 0 or less; and r = (d' - d)/d,
+  // infinite if there is no d'.
+  double ratio = 0, size = 0;
+  bool beyond_far = false;  // d' is beyond the far plane, or there is none
+  bool near_far = false;    // d' is so near to the far plane that rounding may decide
+};
+
+// How near that is, relative to 1/d. A student's d/d' = 1 - q has an error of 8 u: q = step (1/near
+// - 1/far) d has one of 7 u, because the subtraction magnifies the roundings of its terms at most 3
+// times (far >= 2 near). Two quotients make it 1/d' and 1/far: 10 u, which is 1.1e-15.
+constexpr double kNearFar = 1e-14;
+
+Rung rung_with_step(const Inverses& at, const Decimal& step) {
+  const Decimal beyond = at.here - step * at.whole;  // 1/d', with d' one step of depth behind d
+  const Decimal left = beyond - at.at_far;
+  const bool none = beyond.sign() <= 0;
+  return {double(beyond / at.here), none ? kInfinity : double(at.here / beyond - Decimal(1)),
+          none || left.sign() < 0, abs(left) < at.here * Decimal(kNearFar)};
+}
+
+// No depth of the listed and hidden cases is within 10^-11 of a power of two (see right_rung), so
+// the student's double and ours have the same exponent.
 double ladder_rung_size(const LadderCase& input, double d) {
-  const Decimal at_near = inverse_of(input.near), at_far = inverse_of(input.far),
-                here = inverse_of(d);
-  const Decimal whole = at_near - at_far;
-  const bool reversed = input.format == Format::kFloat32Reversed;
-  const double depth = double((reversed ? here - at_far : at_near - here) / whole);
-  // The step of a float depends on the exponent of the depth. No depth of the cases is within 1e-10
-  // of a power of two, so the student's double and ours have the same exponent.
-  Decimal step = Decimal(std::ldexp(1.0, std::ilogb(depth) - 23));
-  if (input.format == Format::kUnorm16 || input.format == Format::kUnorm24)
-    step = Decimal(1) / Decimal(double(glassbox::depth_code(glassbox_format(input.format), 1.0f)));
-  const Decimal beyond = here - step * whole;  // 1/d', with d' one step of depth behind d
-  if (beyond.sign() <= 0 || (beyond - at_far).sign() < 0) return kInfinity;
-  return double(here / beyond - Decimal(1));
+  const Inverses at = inverses_of(input, d);
+  const Rung rung = rung_with_step(at, step_of(input.format, at.depth));
+  return rung.beyond_far ? kInfinity : rung.size;
 }
 
 Case expect_ladder(const LadderCase& input) {
@@ -212,10 +248,8 @@ Case expect_ladder(const LadderCase& input) {
       {}};
   for (const double d : input.distances) {
     c.restated += fmt::format(" {}", d);
-    // The student computes q = step (1/near - 1/far) d. The subtraction magnifies the roundings of
-    // its terms at most 3 times (far >= 2 near), so q has an error of 7 u (u: the unit roundoff).
-    // The result q/(1 - q) has at most 4 times this error, since no q of the cases is between 3/4
-    // and 1.
+    // q has an error of 7 u (see kNearFar). The result q/(1 - q) has at most 4 times this error,
+    // since no q of the listed and hidden cases is between 3/4 and 1.
     c.expected.push_back(number(fmt::format("rung {}", c.expected.size()),
                                 ladder_rung_size(input, d), 64 * unit_roundoff<double>, ""));
   }
@@ -223,53 +257,31 @@ Case expect_ladder(const LadderCase& input) {
   return c;
 }
 
-// A rung of a generated input, where rounding may decide.
-struct Rung {
-  double size = 0;        // (d' - d)/d, infinite if d' is beyond the far plane
-  bool near_far = false;  // d' is so near to the far plane that rounding may decide
-};
-
-Rung rung_with_step(const LadderCase& input, const Decimal& step) {
-  const Decimal at_far = inverse_of(input.far), here = inverse_of(input.distances[0]);
-  const Decimal beyond = here - step * (inverse_of(input.near) - at_far);  // 1/d'
-  const Decimal left = beyond - at_far;
-  Rung rung;
-  rung.near_far = abs(left) < here * Decimal(1e-9);
-  const bool infinite = beyond.sign() <= 0 || left.sign() < 0;
-  rung.size = infinite ? kInfinity : double(here / beyond - Decimal(1));
-  return rung;
-}
-
-// Relative error at most 64 u, and 16 u (1 + r) for a result r above 3: q has an error of 7 u (see
-// expect_ladder), which q/(1 - q) magnifies 1/(1 - q) = 1 + r times; two more roundings follow.
+// A relative error of at most 64 u; for a result r above 3, an error of 1/(1 + r) of at most 12 u.
+// q has an error of 7 u (see kNearFar), which q/(1 - q) magnifies 1/(1 - q) = 1 + r times; so up to
+// r = 3 it is 28 u, and two more roundings follow. 1/(1 + r) is 1 - q again, with the 7 u of q; the
+// subtraction, the quotient q/(1 - q) and the comparison here add u/4 to u each.
 bool is_rung(double given, const Rung& rung) {
-  if (given == rung.size) return true;
-  // On either side of the far plane, d' is at least 10^-9 d too near or too far for anything else.
-  if (rung.near_far && (given == kInfinity || std::isinf(rung.size))) return given > 0;
-  if (!std::isfinite(rung.size)) return false;
-  const double ulps = std::max(64.0, 16 * (1 + rung.size));
-  return std::abs(given - rung.size) <= ulps * unit_roundoff<double> * rung.size;
+  if (given == kInfinity) return rung.beyond_far || rung.near_far;
+  if (rung.beyond_far && !rung.near_far) return false;
+  constexpr double u = unit_roundoff<double>;
+  if (std::isfinite(rung.size) && std::abs(given - rung.size) <= 64 * u * rung.size) return true;
+  return rung.size > 3 && std::abs(1 / (1 + given) - rung.ratio) <= 12 * u;
 }
 
 bool right_rung(const LadderCase& input, const Answer& answer) {
   const auto* values = find_field(answer, "rung 0");
   if (values == nullptr || values->size() != 1 || !((*values)[0] > 0)) return false;
-  const double given = (*values)[0];
-  if (input.format == Format::kUnorm16 || input.format == Format::kUnorm24)
-    return is_rung(
-        given,
-        rung_with_step(input,
-                       Decimal(1) / Decimal(input.format == Format::kUnorm16 ? 65535 : 16777215)));
-  const Decimal at_near = inverse_of(input.near), at_far = inverse_of(input.far),
-                here = inverse_of(input.distances[0]);
-  const Decimal from = input.format == Format::kFloat32Reversed ? here - at_far : at_near - here;
-  const double depth = double(from / (at_near - at_far));
-  // A power of two within 10^-9 of the depth may be taken for its other side.
-  for (const double each : {depth * (1 - 1e-9), depth * (1 + 1e-9)}) {
-    const Decimal step(std::ldexp(1.0, std::ilogb(each) - 23));
-    if (is_rung(given, rung_with_step(input, step))) return true;
-  }
-  return false;
+  const Inverses at = inverses_of(input, input.distances[0]);
+  // A power of two as near to the depth as this may be taken for its other side. d is 10^-4 of
+  // itself away from the plane whose depth is 0. So 1/near - 1/d (or 1/d - 1/far) magnifies the
+  // roundings of its two terms 10^4 times, to 2 u 10^4 = 2.22e-12; the divisor and two more
+  // roundings add 6 u.
+  constexpr double kNearPower = 1e-11;
+  return std::ranges::any_of(std::array{1 - kNearPower, 1 + kNearPower}, [&](double beside) {
+    const Decimal step = step_of(input.format, at.depth * beside);
+    return is_rung((*values)[0], rung_with_step(at, step));
+  });
 }
 
 Case expect_rung(const LadderCase& input) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 #include "cases.h"
@@ -28,12 +28,12 @@ inline Planes planes_apart(Choices& c, double near, double ratio) {
 inline std::vector<InputClass<Planes>> generated_planes() {
   return {{"planes of every size", 8'000,
            [](Choices& c) {
-             const double near = std::abs(c.real(-500, 500));
-             return planes_apart(c, near, 1 + std::abs(c.real(-30, 500)));
+             const double near = c.positive(-500, 500);
+             return planes_apart(c, near, 1 + c.positive(-30, 500));
            }},
           {"planes as close together as two doubles", 4'000,
            [](Choices& c) {
-             const double near = std::abs(c.real(-900, 900));
+             const double near = c.positive(-900, 900);
              double far = near;
              const auto steps = c.integer(1, 4);
              for (std::int64_t i = 0; i < steps; ++i) far = std::nextafter(far, kInfinity);
@@ -41,11 +41,11 @@ inline std::vector<InputClass<Planes>> generated_planes() {
            }},
           {"far planes beyond 10^30", 4'000,
            [](Choices& c) {
-             const double near = std::abs(c.real(-20, 20));
-             return Planes{near, std::abs(c.real(100, 1022)), any_range(c)};
+             const double near = c.positive(-20, 20);
+             return Planes{near, c.positive(100, 1022), any_range(c)};
            }},
           {"an infinite far plane", 4'000, [](Choices& c) {
-             const double near = std::abs(c.real(-1000, 1000));
+             const double near = c.positive(-1000, 1000);
              return Planes{near, kInfinity, any_range(c)};
            }}};
 }
@@ -53,14 +53,14 @@ inline std::vector<InputClass<Planes>> generated_planes() {
 // ---- depths to distances (task 7.2) ----
 
 inline Planes any_planes(Choices& c) {
-  const double near = std::abs(c.real(-300, 150));
+  const double near = c.positive(-300, 150);
   switch (c.below(3)) {
     case 0:
       return {near, kInfinity, any_range(c)};
     case 1:
-      return planes_apart(c, near, 1 + std::abs(c.real(-52, 0)));
+      return planes_apart(c, near, 1 + c.positive(-52, 0));
     default:
-      return planes_apart(c, near, 1 + std::abs(c.real(0, 170)));
+      return planes_apart(c, near, 1 + c.positive(0, 170));
   }
 }
 
@@ -72,12 +72,12 @@ inline std::vector<InputClass<DistanceCase>> generated_depths() {
   return {{"depths of every size", 8'000,
            [](Choices& c) {
              const Planes planes = any_planes(c);
-             return one_depth(planes, std::abs(c.real(-300, -1)));
+             return one_depth(planes, c.positive(-300, -1));
            }},
           {"depths next to 1", 6'000,
            [](Choices& c) {
              const Planes planes = any_planes(c);
-             return one_depth(planes, 1 - std::abs(c.real(-53, -2)));
+             return one_depth(planes, 1 - c.positive(-53, -2));
            }},
           {"depths of both planes", 2'000,
            [](Choices& c) {
@@ -85,8 +85,8 @@ inline std::vector<InputClass<DistanceCase>> generated_depths() {
              return one_depth(planes, c.one_of({0.0, 1.0}));
            }},
           {"depths close to that of a distant far plane", 4'000, [](Choices& c) {
-             const Planes planes = planes_apart(c, 1, std::abs(c.real(30, 60)));
-             const double from_far = std::abs(c.real(-60, -10));
+             const Planes planes = planes_apart(c, 1, c.positive(30, 60));
+             const double from_far = c.positive(-60, -10);
              return one_depth(planes, planes.range == Range::kReversed ? from_far : 1 - from_far);
            }}};
 }
@@ -104,11 +104,11 @@ inline CodeCase one_code(Choices& c, double depth) {
 inline double depth_inside(Choices& c) {
   switch (c.below(4)) {
     case 0:
-      return std::abs(c.real(-30, -1));
+      return c.positive(-30, -1);
     case 1:
       return double(c.near(c.one_of({0.5f, 1.0f, 0.0f, 0x1p-126f})));
     case 2:
-      return std::abs(c.real(-149, -100));
+      return c.positive(-149, -100);
     default:
       return 1 - double(c.below(1 << 12)) * 0x1p-24;
   }
@@ -120,9 +120,9 @@ inline double depth_outside(Choices& c) {
     case 1:
       return c.one_of({kInfinity, -kInfinity, 0x1.fffffep127, -0x1.fffffep127});
     case 2:
-      return -std::abs(c.real(-149, 126));
+      return -c.positive(-149, 126);
     case 3:
-      return std::abs(c.real(0, 126));
+      return c.positive(0, 126);
     default:
       return c.one_of({1 + 0x1p-23, -0x1p-149, -0x1p-126, 2.0, -1.0, 65536.0, 0x1p40});
   }
@@ -195,31 +195,31 @@ inline LadderCase one_rung(Choices& c, double near, double far, double d) {
   return {"a rung", format, near, far, {std::clamp(d, near * (1 + 0x1p-13), last)}};
 }
 inline double any_far(Choices& c, double near) {
-  return c.flag() ? near * std::abs(c.real(1, 99)) : kInfinity;
+  return c.flag() ? near * c.positive(1, 99) : kInfinity;
 }
 
 inline std::vector<InputClass<LadderCase>> generated_ladders() {
   return {{"distances of every size", 6'000,
            [](Choices& c) {
-             const double near = std::abs(c.real(-100, 100)), far = any_far(c, near);
-             return one_rung(c, near, far, near * std::abs(c.real(0, 98)));
+             const double near = c.positive(-100, 100), far = any_far(c, near);
+             return one_rung(c, near, far, near * c.positive(0, 98));
            }},
           {"distances next to the near plane", 4'000,
            [](Choices& c) {
-             const double near = std::abs(c.real(-100, 100)), far = any_far(c, near);
-             return one_rung(c, near, far, near * (1 + std::abs(c.real(-13, 0))));
+             const double near = c.positive(-100, 100), far = any_far(c, near);
+             return one_rung(c, near, far, near * (1 + c.positive(-13, 0)));
            }},
           {"distances next to the far plane", 4'000,
            [](Choices& c) {
-             const double near = std::abs(c.real(-100, 100));
-             const double far = near * std::abs(c.real(1, 30));
-             return one_rung(c, near, far, far * (1 - std::abs(c.real(-13, -2))));
+             const double near = c.positive(-100, 100);
+             const double far = near * c.positive(1, 30);
+             return one_rung(c, near, far, far * (1 - c.positive(-13, -2)));
            }},
           {"distances where one step is about as large as the distance", 6'000, [](Choices& c) {
-             const double near = std::abs(c.real(-30, 30));
-             const double far = c.flag() ? near * std::abs(c.real(12, 40)) : kInfinity;
+             const double near = c.positive(-30, 30);
+             const double far = c.flag() ? near * c.positive(12, 40) : kInfinity;
              const double steps = c.one_of({65535.0, 16777215.0});
-             return one_rung(c, near, far, near * steps * std::abs(c.real(-6, 2)));
+             return one_rung(c, near, far, near * steps * c.positive(-6, 2));
            }}};
 }
 

@@ -22,7 +22,7 @@ struct DepthRow {
 
 // Task 7.1. The entries [2][2] and [2][3] of a perspective projection. 0 < near < far; far may be
 // infinite (depth then approaches 1, or 0, without reaching it). Each entry must be within 4 ulps
-// of its exact value, which is in the range of double.
+// of its exact value, which is below 2^1023 in size, and may be subnormal.
 DepthRow depth_row(double near, double far, Range range);
 
 // Task 7.2. The distance along the gaze that has this depth, 0 <= depth <= 1: the inverse of the
@@ -36,7 +36,8 @@ double distance_of(double depth, double near, double far, Range range);
 enum class Format { kUnorm16, kUnorm24, kFloat32, kFloat32Reversed };
 
 // Task 7.3. The code of a depth; a smaller code is nearer. Depths below 0 count as 0 and those
-// above 1 as 1 (rounding at a clipped edge makes such depths), infinite ones too. No depth is NaN.
+// above 1 as 1 (rounding at a clipped edge makes such depths). Infinite depths are among them. No
+// depth is NaN.
 //   kUnorm16, kUnorm24  the nearest integer to depth (2^bits - 1), halves up: 0 .. 2^bits - 1
 //   kFloat32            the 32 bits of the float as an integer, which for floats >= 0 grows with
 //                       them
@@ -64,10 +65,12 @@ std::vector<int> visible(const std::vector<Fragment>& fragments, int pixels, For
 //                                2^(e-23) with 2^e <= depth < 2^(e+1)
 // Infinite if no d' up to the far plane is that far apart. near < d < far, far may be infinite,
 // far >= 2 near. d differs from near and from far by at least 10^-4 of them, and d/near is at most
-// 2^100; near is from 2^-101 to 2^101. Relative error at most 64 u, or 16 u (1 + r) for a result r
-// above 3. Where rounding decides, both answers are right: the steps on both sides of a power of
-// two if depth(d) is within a relative 10^-9 of it, and a finite or an infinite result if 1/d' and
-// 1/far differ by less than 10^-9 of 1/d.
+// 2^100; near is from 2^-101 to 2^101. Relative error at most 64 u; for a result r above 3 it is
+// enough that 1/(1 + r), which is d/d', is off by at most 12 u. Where rounding decides, both
+// answers are right: the steps on both sides of a power of two if depth(d) is within a relative
+// 10^-11 of it, and a finite or an infinite result if 1/d' and 1/far differ by less than 10^-14 of
+// 1/d. A finite one has the same error bounds there, as if there were no far plane; d/d' may be 0
+// or less.
 double separation(Format format, double near, double far, double d);
 
 }  // namespace lab_07
