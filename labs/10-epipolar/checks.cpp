@@ -22,22 +22,15 @@ using namespace lab_10;
 using epipolar::entries_of;
 using epipolar::matches_of;
 using epipolar::matrix_of;
-using epipolar::pose_of;
 using epipolar::vector_of;
+using epipolar::Wide;
+using epipolar::wide;
+using epipolar::WideVector;
 using lab_10::Matrix;
 using lab_10::Vector;
 
 constexpr double u = unit_roundoff<double>;
 
-// A matrix in extended precision: expected answers are computed in it and then rounded once.
-using Wide = Eigen::Matrix<long double, 3, 3>;
-using WideVector = Eigen::Matrix<long double, 3, 1>;
-Wide wide(const Matrix& m) {
-  return matrix_of(m).cast<long double>();
-}
-WideVector wide(const Vector& v) {
-  return vector_of(v).cast<long double>();
-}
 std::vector<double> rounded(const Wide& m) {
   return entries_of(m.cast<double>());
 }
@@ -88,41 +81,18 @@ Case expect_centre(const PoseCase& input) {
                       {"row-column-order", expected(-(r * t))}}};
 }
 
-// The judge of a case in which more than one answer is right.
+// The judge of a case in which more than one answer is right. `explanation` is for a wrong answer
+// that is not far from the expected one.
 std::function<std::optional<Divergence>(const Answer&)> judged_by(
-    const std::vector<Expected>& expected, std::function<bool(const Answer&)> is_right) {
-  return [expected, is_right](const Answer& answer) -> std::optional<Divergence> {
+    const std::vector<Expected>& expected, std::function<bool(const Answer&)> is_right,
+    const char* explanation) {
+  return [expected, is_right, explanation](const Answer& answer) -> std::optional<Divergence> {
     if (is_right(answer)) return std::nullopt;
     for (const Expected& e : expected) {
       if (auto first = compare(e, answer).first) return first;
     }
-    return Divergence{.field = expected[0].field,
-                      .explanation = "the sign or the length is not as the contract says"};
+    return Divergence{.field = expected[0].field, .explanation = explanation};
   };
-}
-
-// The line in extended precision, and how far the rules for its sign reach.
-struct ExactLine {
-  Line line;
-  double bound = 0;
-  long double across = 0, size = 0;  // |(u_x, u_y)| and |E| |p_l|
-};
-ExactLine exact_line_of(const Matrix& m, const lab_10::Camera& left, const lab_10::Camera& right,
-                        const Pixel& pixel) {
-  const WideVector seen{(static_cast<long double>(pixel.x) - left.x) / left.f,
-                        (static_cast<long double>(pixel.y) - left.y) / left.f, 1};
-  const Wide e = wide(m);
-  const WideVector v = e * seen;
-  ExactLine exact;
-  exact.across = v.head<2>().norm();
-  exact.size = e.norm() * seen.norm();
-  if (exact.across == 0) return exact;
-  const long double factor = (v.y() < 0 || (v.y() == 0 && v.x() < 0) ? -1 : 1) / exact.across;
-  exact.line = {double(factor * v.x()), double(factor * v.y()),
-                double(factor * (right.f * v.z() - right.x * v.x() - right.y * v.y()))};
-  const double largest = std::max({right.f, std::abs(right.x), std::abs(right.y)});
-  exact.bound = double(64 * u * (1 + std::abs(exact.line.c) + largest) * exact.size / exact.across);
-  return exact;
 }
 
 // Which answers are right where rounding decides about the sign of the line, or whether there is
@@ -132,7 +102,7 @@ bool has_right_sign(double a, double b) {
 }
 bool right_line(const LineCase& input, const Answer& answer) {
   const auto& [what, e, left, right, pixel] = input;
-  const ExactLine exact = exact_line_of(e, left, right, pixel);
+  const epipolar::ExactLine exact = epipolar::exact_line_of(e, left, right, pixel);
   const auto *ab = find_field(answer, "a, b"), *only_c = find_field(answer, "c");
   if (ab == nullptr || ab->size() != 2 || only_c == nullptr || only_c->size() != 1) return false;
   const double a = (*ab)[0], b = (*ab)[1], c = (*only_c)[0];
@@ -144,22 +114,23 @@ bool right_line(const LineCase& input, const Answer& answer) {
   if (!has_right_sign(a, b)) return false;
   const auto near = [&](double sign) {
     const Line& l = exact.line;
-    return std::abs(a - sign * l.a) <= exact.bound && std::abs(b - sign * l.b) <= exact.bound &&
-           std::abs(c - sign * l.c) <= exact.bound;
+    return std::abs(a - sign * l.a) <= exact.bound_of_ab &&
+           std::abs(b - sign * l.b) <= exact.bound_of_ab &&
+           std::abs(c - sign * l.c) <= exact.bound_of_c;
   };
   // Where b is 0 except for its error, its sign is that of the error.
-  return near(1) || (std::abs(exact.line.b) <= exact.bound && near(-1));
+  return near(1) || (std::abs(exact.line.b) <= exact.bound_of_ab && near(-1));
 }
 
 Case expect_line(const LineCase& input) {
   const auto& [what, e, left, right, pixel] = input;
   const auto expected = [&left = left, &right = right, &pixel = pixel](const Matrix& m) {
-    const ExactLine exact = exact_line_of(m, left, right, pixel);
+    const epipolar::ExactLine exact = epipolar::exact_line_of(m, left, right, pixel);
     const Line& l = exact.line;
-    return std::vector{numbers("a, b", {l.a, l.b}, exact.bound),
-                       numbers("c", {l.c}, exact.bound, "px")};
+    return std::vector{numbers("a, b", {l.a, l.b}, exact.bound_of_ab),
+                       numbers("c", {l.c}, exact.bound_of_c, "px")};
   };
-  const ExactLine exact = exact_line_of(e, left, right, pixel);
+  const epipolar::ExactLine exact = epipolar::exact_line_of(e, left, right, pixel);
   Case made{.where = what,
             .restated = fmt::format(
                 "E has the rows {}\nleft camera: f {}, principal point ({}, {}); right one: f {}, "
@@ -167,9 +138,10 @@ Case expect_line(const LineCase& input) {
                 text_of(e), left.f, left.x, left.y, right.f, right.x, right.y, pixel.x, pixel.y),
             .expected = expected(e),
             .slipped = {{"row-column-order", expected(transposed(e))}}};
-  if (exact.across > 0 && std::abs(exact.line.b) <= exact.bound)
-    made.judge = judged_by(made.expected,
-                           [input](const Answer& answer) { return right_line(input, answer); });
+  if (exact.across > 0 && std::abs(exact.line.b) <= exact.bound_of_ab)
+    made.judge = judged_by(
+        made.expected, [input](const Answer& answer) { return right_line(input, answer); },
+        "the sign or the length is not as the contract says");
   return made;
 }
 
@@ -214,9 +186,12 @@ Case expect_matrix_of_matches(const MatchesCase& input) {
   };
   std::string text = fmt::format(
       "{} matches; the system's condition is {:.3g}. E is compared at |E| = 1, with its largest "
-      "entry positive. The cameras have R with the rows {} and T = {}",
-      input.matches.size(), solution.condition, text_of(input.pose.rotation),
-      text_of(input.pose.translation));
+      "entry positive",
+      input.matches.size(), solution.condition);
+  // Generated matches are not made from a pose.
+  if (determinant(input.pose.rotation) != 0)
+    text += fmt::format(". The cameras have R with the rows {} and T = {}",
+                        text_of(input.pose.rotation), text_of(input.pose.translation));
   for (std::size_t i = 0; i < std::min<std::size_t>(input.matches.size(), 3); ++i) {
     const Match& m = input.matches[i];
     text += fmt::format("\nmatch {}: left ({:.9g}, {:.9g}), right ({:.9g}, {:.9g})", i, m.left.x,
@@ -229,9 +204,11 @@ Case expect_matrix_of_matches(const MatchesCase& input) {
                         {"rank-first", expected(solution.made_rank_two_first)}}};
   if (has_two_largest(solution.essential, solution.bound)) {
     made.judge = judged_by(
-        made.expected, [made, negated = expected(-solution.essential)](const Answer& answer) {
+        made.expected,
+        [made, negated = expected(-solution.essential)](const Answer& answer) {
           return has_fields(answer, made.expected) || has_fields(answer, negated);
-        });
+        },
+        "this is E neither with the one sign nor with the other");
   }
   return made;
 }
@@ -252,72 +229,41 @@ Case expect_pose(const ChoiceCase& input) {
                  epipolar::kPoseBound)}};
 }
 
-// The point in extended precision. Which answers are right depends on |d x e| / (|d| |e|): up to
-// 2 u the lines are parallel, from 32 u on they are not. e = R^T p has an error of at most 5.2 u
-// |e|, as each of its coordinates rounds by at most 3 u |e|; d x e rounds by at most 2.9 u |d| |e|,
-// and the lengths by less than 1 u of the product. So an angle above 8 u + 9.1 u is seen to be
-// above 8 u; 32 u leaves room for other orders of the factors.
-struct ExactPoint {
-  std::vector<double> values{};
-  double bound = 0;
-  long double sine = 0;
-};
-ExactPoint exact_point_of(const RaysCase& input) {
-  const WideVector d{input.left.x, input.left.y, 1}, t = wide(input.pose.translation);
-  const WideVector e =
-      wide(input.pose.rotation).transpose() * WideVector{input.right.x, input.right.y, 1};
-  const WideVector across = d.cross(e);
-  ExactPoint exact;
-  exact.sine = across.norm() / (d.norm() * e.norm());
-  if (exact.sine <= 8 * u) {
-    exact.values = {input.left.x, input.left.y, 1, 0};
-    return exact;
-  }
-  const long double squared = across.squaredNorm();
-  const WideVector p =
-      (t.cross(e).dot(across) / squared * d + t + t.cross(d).dot(across) / squared * e) / 2;
-  exact.values = {double(p[0]), double(p[1]), double(p[2]), 1};
-  exact.bound = double(64 * u * (p.norm() + t.norm()) / (exact.sine * exact.sine));
-  return exact;
+std::vector<Expected> expected_point(const epipolar::ExactPoint& exact) {
+  const Vector& p = exact.place;
+  return {point("point", {p[0], p[1], p[2]}, exact.bound, "world units"), numbers("w", {exact.w})};
 }
-// Whether more than one answer is right, or the bound is so large that it would allow any w.
-bool has_own_judge(const ExactPoint& exact) {
-  return exact.bound >= 0.5 || (exact.sine > 2 * u && exact.sine < 32 * u);
+
+// Whether the answer is right where rounding decides if the lines are parallel.
+bool right_between(const RaysCase& input, const epipolar::ExactPoint& exact, const Answer& answer) {
+  const auto *place = find_field(answer, "point"), *w = find_field(answer, "w");
+  if (place == nullptr || place->size() != 3 || w == nullptr || w->size() != 1) return false;
+  if ((*w)[0] == 0) return *place == std::vector<double>{input.left.x, input.left.y, 1};
+  // A point for which the lines count as parallel has no bound, as there is no place that is meant.
+  if (exact.w == 1) return has_fields(answer, expected_point(exact));
+  return (*w)[0] == 1 && std::isfinite((*place)[0] + (*place)[1] + (*place)[2]);
 }
 
 bool right_point(const RaysCase& input, const Answer& answer) {
-  const ExactPoint exact = exact_point_of(input);
-  const auto* p = find_field(answer, "point");
-  if (p == nullptr || p->size() != 4) return false;
-  const bool at_infinity =
-      (*p)[0] == input.left.x && (*p)[1] == input.left.y && (*p)[2] == 1 && (*p)[3] == 0;
-  if (at_infinity) return exact.sine <= 32 * u;
-  if (exact.sine <= 2 * u) return false;
-  // Between 2 u and 8 u the bound is larger than any distance that is meant.
-  if (exact.sine <= 8 * u) return (*p)[3] == 1 && std::isfinite((*p)[0] + (*p)[1] + (*p)[2]);
-  // The judge of a case without a judge of its own allows w the bound of the other numbers.
-  const double bound_of_w = has_own_judge(exact) ? 0 : exact.bound;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!(std::abs((*p)[i] - exact.values[i]) <= exact.bound)) return false;
-  }
-  return std::abs((*p)[3] - 1) <= bound_of_w;
+  const auto exact = epipolar::exact_point_of(input.left, input.right, input.pose);
+  return epipolar::is_between(exact) ? right_between(input, exact, answer)
+                                     : has_fields(answer, expected_point(exact));
 }
 
 Case expect_point(const RaysCase& input) {
-  const ExactPoint exact = exact_point_of(input);
-  const views::Triangulated found = epipolar::point_of(
-      {{input.left.x, input.left.y, 1}, {input.right.x, input.right.y, 1}}, pose_of(input.pose));
+  const auto exact = epipolar::exact_point_of(input.left, input.right, input.pose);
   Case made{input.what,
             fmt::format("left ({}, {}), right ({}, {}), R has the rows {}, T = {}; the sine of the "
                         "angle between the lines is {:.3g}, and they pass each other at {:.3g}",
                         input.left.x, input.left.y, input.right.x, input.right.y,
                         text_of(input.pose.rotation), text_of(input.pose.translation),
-                        double(exact.sine), found.gap) +
+                        double(exact.sine), exact.gap) +
                 extreme_case_command(input.what),
-            {point("point", exact.values, exact.bound, "world units")}};
-  if (has_own_judge(exact))
-    made.judge = judged_by(made.expected,
-                           [input](const Answer& answer) { return right_point(input, answer); });
+            expected_point(exact)};
+  if (epipolar::is_between(exact))
+    made.judge = judged_by(
+        made.expected, [input](const Answer& answer) { return right_point(input, answer); },
+        "this is neither the direction d with w = 0 nor a point with w = 1");
   return made;
 }
 

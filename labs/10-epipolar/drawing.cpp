@@ -97,23 +97,27 @@ Numbers lines_stage(RecordReader& in) {
   const lab_10::Camera left = camera(in), right = camera(in);
   Numbers out;
   while (in.more()) {
-    const lab_10::Line line = epipolar::line_of(e, left, right, pixel(in));
+    const lab_10::Line line = epipolar::exact_line_of(e, left, right, pixel(in)).line;
     out.insert(out.end(), {line.a, line.b, line.c});
   }
   return out;
 }
 
-views::Rays rays_of(const views::Match& calibrated) {
-  return {calibrated.left.homogeneous(), calibrated.right.homogeneous()};
+std::vector<epipolar::ExactPoint> points_of_record(RecordReader& in) {
+  const lab_10::Matrix rotation = matrix(in);
+  const lab_10::Pose pose{rotation, vector(in)};
+  std::vector<epipolar::ExactPoint> points;
+  for (const views::Match& m : matches(in))
+    points.push_back(
+        epipolar::exact_point_of({m.left.x(), m.left.y()}, {m.right.x(), m.right.y()}, pose));
+  return points;
 }
 
 Numbers points_stage(RecordReader& in) {
-  const Matrix3d rotation = epipolar::matrix_of(matrix(in));
-  const views::RelativePose pose{rotation, epipolar::vector_of(vector(in))};
   Numbers out;
-  for (const views::Match& match : matches(in)) {
-    const views::Vector4d point = epipolar::point_of(rays_of(match), pose).point;
-    out.insert(out.end(), {point[0], point[1], point[2], point[3]});
+  for (const epipolar::ExactPoint& point : points_of_record(in)) {
+    out.insert(out.end(), point.place.begin(), point.place.end());
+    out.push_back(point.w);
   }
   return out;
 }
@@ -149,24 +153,27 @@ std::optional<WrongNumber> judge_lines(const Numbers& in, const Numbers& yours,
   const lab_10::Matrix e = matrix(record);
   const lab_10::Camera left = camera(record), right = camera(record);
   std::vector<double> bounds;
-  while (record.more()) bounds.push_back(epipolar::bound_of_line(e, left, right, pixel(record)));
+  while (record.more()) {
+    const epipolar::ExactLine exact = epipolar::exact_line_of(e, left, right, pixel(record));
+    bounds.insert(bounds.end(), {exact.bound_of_ab, exact.bound_of_ab, exact.bound_of_c});
+  }
   return first_wrong(
-      yours, reference, [&](std::size_t i) { return i / 3 < bounds.size() ? bounds[i / 3] : 0; },
-      "px", [](std::size_t i) { return fmt::format("line {}, {}", i / 3, "abc"[i % 3]); });
+      yours, reference, [&](std::size_t i) { return i < bounds.size() ? bounds[i] : 0; }, "px",
+      [](std::size_t i) { return fmt::format("line {}, {}", i / 3, "abc"[i % 3]); });
 }
 
 std::optional<WrongNumber> judge_points(const Numbers& in, const Numbers& yours,
                                         const Numbers& reference) {
   RecordReader record = reader(in);
-  const Matrix3d rotation = epipolar::matrix_of(matrix(record));
-  const views::RelativePose pose{rotation, epipolar::vector_of(vector(record))};
   std::vector<double> bounds;
-  for (const views::Match& match : matches(record)) {
-    const views::Rays rays = rays_of(match);
-    bounds.push_back(epipolar::bound_of_point(rays, pose, epipolar::point_of(rays, pose)));
+  for (const epipolar::ExactPoint& point : points_of_record(record)) {
+    // Where rounding decides whether the lines are parallel, both answers are right.
+    const bool between = epipolar::is_between(point);
+    bounds.insert(bounds.end(), 3, between ? INFINITY : point.bound);
+    bounds.push_back(between ? 1 : 0);
   }
   return first_wrong(
-      yours, reference, [&](std::size_t i) { return i / 4 < bounds.size() ? bounds[i / 4] : 0; },
+      yours, reference, [&](std::size_t i) { return i < bounds.size() ? bounds[i] : 0; },
       "times |T|", [](std::size_t i) { return fmt::format("point {}, {}", i / 4, "xyzw"[i % 4]); });
 }
 

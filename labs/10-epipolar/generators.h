@@ -91,7 +91,7 @@ inline Vector along_frame(const Matrix& frame, const Vector& p) {
 // ---- lines (task 10.2) ----
 
 inline Camera any_camera(Choices& c) {
-  const double f = c.flag() ? std::ldexp(1.0, int(c.integer(0, 12))) : std::abs(c.real(-9, 18));
+  const double f = c.flag() ? std::ldexp(1.0, int(c.integer(0, 12))) : c.positive(-9, 18);
   const double x = c.flag() ? double(c.integer(0, 1000)) : c.real(-4, 12);
   return {f, x, c.flag() ? double(c.integer(0, 1000)) : c.real(-4, 12)};
 }
@@ -100,7 +100,9 @@ inline Pixel any_pixel(Choices& c) {
   return {x, c.flag() ? c.multiple(-64, 1024, 16) : c.real(-4, 20)};
 }
 inline Matrix scaled(Choices& c, const Matrix& m) {
-  const double size = c.flag() ? std::ldexp(c.flag() ? -1.0 : 1.0, int(c.integer(-90, 90))) : 1;
+  if (!c.flag()) return m;
+  const double sign = c.flag() ? -1 : 1;
+  const double size = std::ldexp(sign, int(c.integer(-90, 90)));
   return {times(size, m[0]), times(size, m[1]), times(size, m[2])};
 }
 inline LineCase any_line(Choices& c) {
@@ -249,7 +251,9 @@ inline std::vector<InputClass<MatchesCase>> generated_matches() {
            }}};
 }
 
-// `good` matches, and others that are wrong or infinitely far away, but fewer.
+// `good` matches, and others that are wrong, but fewer. Only the right pose has all good ones in
+// front of both cameras, and no other pose has any of them there, so whatever rounding makes of the
+// wrong ones does not decide.
 inline ChoiceCase one_choice(Choices& c, std::size_t good, std::size_t wrong) {
   Matches made = any_matches(c, good);
   const Matrix e = scaled(c, matrix_of_frames(made.frames));
@@ -290,7 +294,8 @@ inline RaysCase any_rays(Choices& c) {
 }
 
 // Lines whose angle is 0 or between 2^-56 and 1: the right pixel is that of the infinitely far
-// point of the left one, or beside it.
+// point of the left one, or beside it. Most angles are above 2^-24, as for much smaller ones the
+// bound allows nearly every point.
 inline RaysCase nearly_parallel_rays(Choices& c) {
   const Pixel left = any_calibrated(c);
   Matrix rotation = any_rotation(c);
@@ -300,8 +305,9 @@ inline RaysCase nearly_parallel_rays(Choices& c) {
     p = {left.x, left.y, 1};
   }
   Pixel right{p[0] / p[2], p[1] / p[2]};
-  right.x += c.flag() ? c.real(-56, -1) : 0;
-  right.y += c.flag() ? c.real(-56, -1) : 0;
+  const int least = c.below(4) == 0 ? -56 : -24;
+  right.x += c.flag() ? c.real(least, -1) : 0;
+  right.y += c.flag() ? c.real(least, -1) : 0;
   const Vector shift = any_vector(c);
   return {"nearly parallel lines", left, right, {rotation, of_any_size(c, shift)}};
 }

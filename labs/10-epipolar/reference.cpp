@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <glassbox/base/rounding.h>
 
@@ -19,17 +18,14 @@ namespace {
 
 constexpr double u = unit_roundoff<double>;
 
-Matrix3d calibration_of(const lab_10::Camera& camera) {
-  Matrix3d k;
-  k << camera.f, 0, camera.x, 0, camera.f, camera.y, 0, 0, 1;
-  return k;
-}
-
-Vector3d ray_direction(const lab_10::Camera& camera, const lab_10::Pixel& pixel) {
-  return {(pixel.x - camera.x) / camera.f, (pixel.y - camera.y) / camera.f, 1};
-}
-
 }  // namespace
+
+Wide wide(const lab_10::Matrix& m) {
+  return matrix_of(m).cast<long double>();
+}
+WideVector wide(const lab_10::Vector& v) {
+  return vector_of(v).cast<long double>();
+}
 
 Matrix3d matrix_of(const lab_10::Matrix& m) {
   Matrix3d made;
@@ -42,10 +38,6 @@ Matrix3d matrix_of(const lab_10::Matrix& m) {
 
 Vector3d vector_of(const lab_10::Vector& v) {
   return {v[0], v[1], v[2]};
-}
-
-views::RelativePose pose_of(const lab_10::Pose& pose) {
-  return {matrix_of(pose.rotation), vector_of(pose.translation)};
 }
 
 views::Matches matches_of(const std::vector<lab_10::Match>& matches) {
@@ -95,46 +87,64 @@ LinearSolution solve(const views::Matches& calibrated) {
   return solution;
 }
 
-// The bound of a line (a, b, c). The vector v = E p has a rounding error of 5 u |E| |p|, where u is
-// the unit roundoff and p the calibrated point. c is a sum of three products of v with f, x and y
-// of the right camera, which multiply that error. Then everything is divided by |(v_x, v_y)|, whose
-// own relative error is multiplied by |c|: beside the epipole |c| is large.
-double bound_of_line(const lab_10::Matrix& essential, const lab_10::Camera& left,
-                     const lab_10::Camera& right, const lab_10::Pixel& pixel) {
-  const Matrix3d e = matrix_of(essential);
-  const Vector3d seen = ray_direction(left, pixel), line = e * seen;
-  const double size = line.head<2>().norm();
-  if (size == 0) return 0;
-  const double c = std::abs(line_of(essential, left, right, pixel).c);
+// The bounds of a line (a, b, c). A coordinate of p has a relative error of 2 u, so v = E p has one
+// of 5 u |E| |p| (p is the calibrated point). Divided by |(v_x, v_y)|, that is the error of the
+// line's direction; the root and the quotient round by another 4 u, and |(v_x, v_y)| is at most |E|
+// |p|. c is a sum of three products of v with f, x and y of the right camera, which multiply the
+// error of v, and round by 3 u each. The error of |(v_x, v_y)| is multiplied by |c|, which is large
+// where the line is far from the principal point. 64 u is allowed for each.
+ExactLine exact_line_of(const lab_10::Matrix& essential, const lab_10::Camera& left,
+                        const lab_10::Camera& right, const lab_10::Pixel& pixel) {
+  const WideVector seen{(static_cast<long double>(pixel.x) - left.x) / left.f,
+                        (static_cast<long double>(pixel.y) - left.y) / left.f, 1};
+  const Wide e = wide(essential);
+  const WideVector v = e * seen;
+  ExactLine exact;
+  exact.across = v.head<2>().norm();
+  exact.size = e.norm() * seen.norm();
+  if (exact.across == 0) return exact;
+  const long double factor = (v.y() < 0 || (v.y() == 0 && v.x() < 0) ? -1 : 1) / exact.across;
+  exact.line = {double(factor * v.x()), double(factor * v.y()),
+                double(factor * (right.f * v.z() - right.x * v.x() - right.y * v.y()))};
   const double largest = std::max({right.f, std::abs(right.x), std::abs(right.y)});
-  return 64 * u * (1 + c + largest) * e.norm() * seen.norm() / size;
+  exact.bound_of_ab = double(64 * u * exact.size / exact.across);
+  exact.bound_of_c = exact.bound_of_ab * (1 + std::abs(exact.line.c) + largest);
+  return exact;
 }
 
-lab_10::Line line_of(const lab_10::Matrix& essential, const lab_10::Camera& left,
-                     const lab_10::Camera& right, const lab_10::Pixel& pixel) {
-  const Vector3d seen = matrix_of(essential) * ray_direction(left, pixel);
-  Vector3d line = calibration_of(right).inverse().transpose() * seen;
-  const double size = line.head<2>().norm();
-  if (size == 0) return {};
-  line /= line.y() < 0 || (line.y() == 0 && line.x() < 0) ? -size : size;
-  return {line.x(), line.y(), line.z()};
+// The limits of the angle. e = R^T p has an error of at most 5.2 u |e|, as each of its coordinates
+// rounds by at most 3 u |e|; d x e rounds by at most 2.9 u |d| |e|, and the lengths by less than 1
+// u of the product: together less than 9.1 u. So a sine of at most 4 u is computed as one below
+// 13.1 u, and one of at least 32 u as one above 22.9 u: only between them can rounding decide on
+// which side of 16 u the sine is.
+//
+// The bound of the point. How far it is along each line is a sum of products divided by |d x e|^2.
+// If that is computed as |d|^2 |e|^2 - (d . e)^2, terms cancel to the square of the sine, so their
+// rounding errors grow by one over this square.
+ExactPoint exact_point_of(const lab_10::Pixel& left, const lab_10::Pixel& right,
+                          const lab_10::Pose& pose) {
+  const WideVector d{left.x, left.y, 1}, t = wide(pose.translation);
+  const WideVector e = wide(pose.rotation).transpose() * WideVector{right.x, right.y, 1};
+  const WideVector across = d.cross(e);
+  ExactPoint exact;
+  exact.sine = across.norm() / (d.norm() * e.norm());
+  if (exact.sine <= 16 * u) {
+    exact.place = {left.x, left.y, 1};
+    exact.w = 0;
+    return exact;
+  }
+  const long double squared = across.squaredNorm();
+  const WideVector on_left = t.cross(e).dot(across) / squared * d;
+  const WideVector on_right = t + t.cross(d).dot(across) / squared * e;
+  const WideVector p = (on_left + on_right) / 2;
+  exact.place = {double(p[0]), double(p[1]), double(p[2])};
+  exact.gap = double((on_left - on_right).norm());
+  exact.bound = double(64 * u * (p.norm() + t.norm()) / (exact.sine * exact.sine));
+  return exact;
 }
 
-views::Triangulated point_of(const views::Rays& rays, const views::RelativePose& pose) {
-  return views::midpoint(rays, pose);
-}
-
-// The bound of a point. For the directions d and e of the lines of sight, how far the point is
-// along each line is a sum of products divided by |d x e|^2. In the sum, large terms may cancel to
-// the square of the sine of the angle between the lines, so their rounding errors grow by one over
-// this square.
-double bound_of_point(const views::Rays& rays, const views::RelativePose& pose,
-                      const views::Triangulated& point) {
-  if (!point.is_finite()) return 0;
-  const Vector3d d = rays.left.normalized();
-  const Vector3d e = (pose.rotation.transpose() * rays.right).normalized();
-  const double size = point.point.head<3>().norm() + pose.translation.norm();
-  return 64 * u * size / d.cross(e).squaredNorm();
+bool is_between(const ExactPoint& exact) {
+  return exact.sine > 4 * u && exact.sine < 32 * u;
 }
 
 }  // namespace glassbox::labs::epipolar

@@ -2,18 +2,16 @@
 // answers.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "labs/10-epipolar/student.h"
+#include "views/two_view/camera.h"
 #include "views/two_view/match.h"
-#include "views/two_view/triangulation.h"
 
 namespace glassbox::labs::epipolar {
 
 views::Matrix3d matrix_of(const lab_10::Matrix& m);
 views::Vector3d vector_of(const lab_10::Vector& v);
-views::RelativePose pose_of(const lab_10::Pose& pose);
 views::Matches matches_of(const std::vector<lab_10::Match>& matches);
 // The nine entries of the matrix, row by row.
 std::vector<double> entries_of(const views::Matrix3d& m);
@@ -33,15 +31,35 @@ struct LinearSolution {
 };
 LinearSolution solve(const views::Matches& calibrated);
 
-// The reference answers of lab 10, and the error bounds that student.h states for the line, the
-// pose and the point.
-double bound_of_line(const lab_10::Matrix& essential, const lab_10::Camera& left,
-                     const lab_10::Camera& right, const lab_10::Pixel& pixel);
-lab_10::Line line_of(const lab_10::Matrix& essential, const lab_10::Camera& left,
-                     const lab_10::Camera& right, const lab_10::Pixel& pixel);
+// The error bound that student.h states for a pose.
 inline constexpr double kPoseBound = 256 * 0x1p-53;
-views::Triangulated point_of(const views::Rays& rays, const views::RelativePose& pose);
-double bound_of_point(const views::Rays& rays, const views::RelativePose& pose,
-                      const views::Triangulated& point);
+
+// A matrix in extended precision: expected answers are computed in it and then rounded once.
+using Wide = Eigen::Matrix<long double, 3, 3>;
+using WideVector = Eigen::Matrix<long double, 3, 1>;
+Wide wide(const lab_10::Matrix& m);
+WideVector wide(const lab_10::Vector& v);
+
+// The epipolar line of a pixel, and the error bounds that student.h states for it.
+struct ExactLine {
+  lab_10::Line line;
+  double bound_of_ab = 0, bound_of_c = 0;
+  long double across = 0, size = 0;  // |(v_x, v_y)| and |E| |p_l|
+};
+ExactLine exact_line_of(const lab_10::Matrix& essential, const lab_10::Camera& left,
+                        const lab_10::Camera& right, const lab_10::Pixel& pixel);
+
+// The point where two lines of sight meet, and the error bound that student.h states for its place;
+// its w is exact.
+struct ExactPoint {
+  lab_10::Vector place{};
+  double w = 1, bound = 0;
+  long double sine = 0;  // of the angle between the lines: |d x e| / (|d| |e|)
+  double gap = 0;        // the lines pass each other at this distance
+};
+ExactPoint exact_point_of(const lab_10::Pixel& left, const lab_10::Pixel& right,
+                          const lab_10::Pose& pose);
+// Whether rounding decides if the lines are parallel.
+bool is_between(const ExactPoint& exact);
 
 }  // namespace glassbox::labs::epipolar

@@ -50,7 +50,8 @@ void pose(const ChoiceCase& input, Answer& answer) {
 
 void point(const RaysCase& input, Answer& answer) {
   const Point p = triangulate(input.left, input.right, input.pose);
-  answer.emit("point", {p.x, p.y, p.z, p.w});
+  answer.emit("point", {p.x, p.y, p.z});
+  answer.emit("w", {p.w});
 }
 
 }  // namespace

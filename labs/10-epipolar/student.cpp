@@ -153,7 +153,7 @@ Point triangulate(const Pixel& left, const Pixel& right, const Pose& pose) {
   const Vector& t = pose.translation;
   const Vector across = cross(d, e);
   const double squared = dot(across, across);
-  if (std::sqrt(squared) <= 0x1p-50 * length(d) * length(e)) return {d[0], d[1], d[2], 0};
+  if (std::sqrt(squared) <= 0x1p-49 * length(d) * length(e)) return {d[0], d[1], d[2], 0};
   // Finds the t_l and t_r for which the points t_l d and T + t_r e of the two lines are closest:
   // the least squares solution of t_l d - t_r e = T.
   const double along_left = dot(cross(t, e), across) / squared;

@@ -61,13 +61,14 @@ Vector centre_from_shift(const Matrix& rotation, const Vector& shift);
 
 // Task 10.2. The epipolar line of a pixel of the left picture: the point that the left picture
 // shows there is on this line of the right picture. a^2 + b^2 = 1, and b > 0, or b = 0 and a > 0.
-// Let p_l be the calibrated pixel as (x, y, 1), and (u_x, u_y, u_z) = E p_l. If u_x = u_y = 0 there
-// is no line in the picture: a = b = c = 0; this is so where E p_l = 0, and where the line is at
-// infinity. Error bound: 64 u (1 + |c| + the largest of the right camera's numbers) |E| |p_l| /
-// |(u_x, u_y)|. Where |(u_x, u_y)| is not 0, but at most 8 u |E| |p_l|, this bound says nothing:
-// rounding decides, so no line is right, and so is any line whose a^2 + b^2 is 1 to within 16 u and
-// whose sign is as above. Focal lengths are between 2^-10 and 2^20 and the other numbers of cameras
-// and pixels at most 2^30.
+// Let p_l be the calibrated pixel as (x, y, 1), and v = E p_l. If v_x = v_y = 0 there is no line in
+// the picture: a = b = c = 0; this is so where v = 0, and where the line is at infinity. Error
+// bound of a and b: r = 64 u |E| |p_l| / |(v_x, v_y)|; of c: r (1 + |c| + the largest absolute
+// value of the right camera's numbers). Where |b| <= r, rounding decides about the sign of the
+// line. Where |(v_x, v_y)| is not 0, but at most 8 u |E| |p_l|, rounding decides whether there is a
+// line: a = b = c = 0 is accepted, and so is any line with a^2 + b^2 = 1 to within 16 u and the
+// sign as above. Focal lengths are between 2^-10 and 2^20 and the other numbers of cameras and
+// pixels at most 2^30.
 Line epipolar_line(const Matrix& essential, const Camera& left, const Camera& right,
                    const Pixel& left_pixel);
 
@@ -78,9 +79,9 @@ struct Normaliser {
 
 // Task 10.3. The normalisation of n >= 2 given points: (x, y) is their mean, and the vectors
 // scale (p - (x, y)) of all points p have the mean length sqrt 2. Not all points are the same:
-// their mean distance to (x, y) is at least 64 n u times the largest coordinate.
-// Error bound of x and y: 8 n u times the largest coordinate; of the scale: 16 n u scale (1 + scale
-// times that coordinate).
+// their mean distance to (x, y) is at least 64 n u times the largest absolute value of a
+// coordinate. Error bound of x and y: 8 n u times that value; of the scale: 16 n u scale (1 + scale
+// times that value).
 Normaliser normalising(const std::vector<Pixel>& points);
 
 // Task 10.4. E of at least 8 matches, of any sign and scale:
@@ -96,16 +97,18 @@ Matrix eight_point(const std::vector<Match>& matches);
 
 // Task 10.5. From E = U diag(s, s, 0) V^T to R and T with |T| = 1. There are four (R, T) with R S =
 // E up to sign and scale. Return the one with which more matches are in front of both cameras than
-// with any other. R is a rotation: its determinant is 1. Error bound: 256 u.
+// with any other: the point where their lines of sight meet has a positive depth for the left
+// camera and for the right one. Matches whose lines of sight are parallel, or nearly so, are too
+// few to decide. R is a rotation: its determinant is 1. Error bound: 256 u.
 Pose relative_pose(const Matrix& essential, const std::vector<Match>& matches);
 
 // Task 10.6. The point halfway between the two lines of sight where they come closest to each
 // other. The left line is t_l d with d = (x, y, 1) of the left calibrated point. The right line is
 // T + t_r e with e = R^T (x, y, 1) of the right calibrated point. The answer is in the left
-// camera's space, with w = 1. Lines that are parallel, |d x e| <= 8 u |d| |e|, meet at infinity:
-// then the answer is d with w = 0. For |d x e| between 2 u and 32 u times |d| |e| rounding may
-// decide: there both answers are right.
-// Error bound: 64 u (|P| + |T|) / sin^2 of the angle between the lines, where P is the answer.
+// camera's space, with w = 1. Lines that are parallel, |d x e| <= 16 u |d| |e|, meet at infinity:
+// then the answer is d with w = 0. For |d x e| between 4 u and 32 u times |d| |e| rounding may
+// decide: there both answers are right. d and w are exact. Error bound of x, y and z: 64 u (|P| +
+// |T|) / sin^2 of the angle between the lines, where P is the answer.
 Point triangulate(const Pixel& left, const Pixel& right, const Pose& pose);
 
 // ---- functions that are given ----

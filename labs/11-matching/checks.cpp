@@ -118,8 +118,7 @@ Case expect_confirmed(const CheckCase& input) {
 }
 
 // The bound: in f B / (d + offset) a sum, a product and a quotient round, 3 u of Z (u = 2^-53 is
-// the unit roundoff), below the allowed 4 u. The expected depth is computed in long double and
-// rounded once, by another u.
+// the unit roundoff), below the allowed 4 u. The expected depth is rounded by another u, once.
 Case expect_depth(const DepthCase& input) {
   const double z = matching::depth(input.disparity, input.calibration);
   return {input.what,

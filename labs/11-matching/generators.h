@@ -220,7 +220,7 @@ inline double any_disparity(Choices& c, int width, std::uint64_t kinds) {
     case 3:
       return c.multiple(0, largest, 8);
     case 4:
-      return std::abs(c.real(-60, 5));
+      return c.positive(-60, 5);
     default:
       return kNone;
   }
@@ -233,7 +233,7 @@ inline CheckCase one_pair_of_rows(Choices& c, std::uint64_t kinds) {
     made.left.push_back(any_disparity(c, width, kinds));
     made.right.push_back(any_disparity(c, width, kinds));
   }
-  made.tolerance = c.one_of({0.0, 1.0, 0.5, c.multiple(0, 4, 8), std::abs(c.real(-4, 4))});
+  made.tolerance = c.one_of({0.0, 1.0, 0.5, c.multiple(0, 4, 8), c.positive(-4, 4)});
   return made;
 }
 
@@ -265,23 +265,23 @@ inline DepthCase one_depth(double disparity, double focal, double baseline, doub
   return {"a depth", disparity, {focal, baseline, offset}};
 }
 inline double any_length(Choices& c) {
-  return std::abs(c.real(-299, 298));
+  return c.positive(-299, 298);
 }
 
 inline std::vector<InputClass<DepthCase>> generated_depths() {
   return {{"disparities and cameras of usual sizes", 40'000,
            [](Choices& c) {
              const double disparity = c.multiple(-8, 64, c.flag() ? 1024 : 1);
-             const double focal = std::abs(c.real(4, 12));
-             const double baseline = std::abs(c.real(-6, 10));
+             const double focal = c.positive(4, 12);
+             const double baseline = c.positive(-6, 10);
              return one_depth(disparity, focal, baseline, c.flag() ? 0 : c.real(-4, 6));
            }},
           {"d + offset is 0, or as near to it as doubles allow", 30'000,
            [](Choices& c) {
              const double offset = c.flag() ? c.real(-20, 10) : c.multiple(-8, 8, 8);
              const double disparity = offset == 0 ? c.one_of({0.0, -0.0}) : c.near(-offset);
-             const double focal = std::abs(c.real(4, 12));
-             return one_depth(disparity, focal, std::abs(c.real(-6, 10)), offset);
+             const double focal = c.positive(4, 12);
+             return one_depth(disparity, focal, c.positive(-6, 10), offset);
            }},
           {"numbers of every size", 20'000,
            [](Choices& c) {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "base/expansion.h"
+
 namespace glassbox::labs::matching {
 
 using lab_11::kNever;
@@ -108,10 +110,16 @@ std::vector<double> left_right_check(const std::vector<double>& left,
 }
 
 double depth(double disparity, const lab_11::Calibration& calibration) {
-  // In extended precision: its exponents and 64 binary digits leave one rounding, the last one.
-  const long double shift = static_cast<long double>(disparity) + calibration.offset;
+  const double shift = disparity + calibration.offset;
   if (!(shift > 0) || std::isinf(shift)) return kNone;
-  return double(static_cast<long double>(calibration.focal) * calibration.baseline / shift);
+  // f B and d + offset without rounding, each as two doubles. The quotient of the first ones has an
+  // error of some u of itself, where u is the unit roundoff, which is added to it: what is left is
+  // some u^2, and the rounding of this addition.
+  const TwoTerms product = two_product(calibration.focal, calibration.baseline);
+  const TwoTerms sum = two_sum(disparity, calibration.offset);
+  const double z = product.high / sum.high;
+  const double missing = std::fma(-z, sum.high, product.high) + product.low - z * sum.low;
+  return z + missing / sum.high;
 }
 
 }  // namespace glassbox::labs::matching

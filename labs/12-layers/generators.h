@@ -21,7 +21,7 @@ using glassbox::labs::InputClass;
 // A depth of any size: 0 < depth <= 1.
 inline float any_depth(Choices& c) {
   if (c.below(8) == 0) return c.one_of({1.0f, 0x1p-149f, 0x1p-126f});
-  return float(std::abs(c.real(c.flag() ? -8 : -140, -1)));
+  return float(c.positive(c.flag() ? -8 : -140, -1));
 }
 
 // Depths and an epsilon of few digits: many depths are equal, or exactly epsilon z apart.
@@ -66,11 +66,23 @@ inline PackCase pack_chain(Choices& c) {
   return made;
 }
 
+// So many samples in one pixel, with so few depths, that a sort which is not stable changes the
+// order of equal ones.
+inline PackCase pack_many_equal(Choices& c) {
+  PackCase made{"many equal depths", 1, 1, {}, c.one_of({0.0, 1.0 / 16})};
+  const auto count = 17 + c.below(44);
+  for (std::uint64_t i = 0; i < count; ++i)
+    made.samples.push_back({0, 0, float(1 + c.below(16)) / 16, {}});
+  made.samples = numbered(made.samples);
+  return made;
+}
+
 inline std::vector<InputClass<PackCase>> generated_packs() {
   return {{"few depths, many of them equal or exactly epsilon apart", 12'000, pack_few_depths},
           {"depths of any size that are epsilon apart, or one step beside that", 12'000,
            pack_at_epsilon},
-          {"chains of near samples (C-84)", 6'000, pack_chain}};
+          {"chains of near samples (C-84)", 6'000, pack_chain},
+          {"17 to 60 samples in one pixel, many of them equal", 500, pack_many_equal}};
 }
 
 // ---- two eyes (task 12.2) ----
@@ -78,7 +90,7 @@ inline std::vector<InputClass<PackCase>> generated_packs() {
 inline Transform<Screen, World> any_camera(Choices& c, int far, int lowest_near) {
   const double focal = double(c.integer(50, 2000));
   const double width = double(c.integer(1, 4000)), height = double(c.integer(1, 4000));
-  const double near = std::abs(c.real(lowest_near, 0));
+  const double near = c.positive(lowest_near, 0);
   const double x = c.flag() ? c.real(-8, far) : 0, y = c.flag() ? c.real(-8, far) : 0;
   const double z = c.flag() ? c.real(-8, far) : 0;
   return camera(focal, width, height, near, x, y, z, c.multiple(-2, 2, 64));
@@ -101,7 +113,7 @@ inline std::vector<InputClass<MatrixCase>> generated_matrices() {
 
 // A depth whose product with an entry of the warp does not underflow.
 inline float row_depth(Choices& c) {
-  return c.below(8) == 0 ? 1.0f : float(std::abs(c.real(c.flag() ? -8 : -64, -1)));
+  return c.below(8) == 0 ? 1.0f : float(c.positive(c.flag() ? -8 : -64, -1));
 }
 
 inline Transform<Screen, Screen> any_warp(Choices& c, int lowest, int highest) {
@@ -153,7 +165,7 @@ inline double any_cosine(Choices& c) {
     case 1:
       return c.one_of({0.0, 1.0, 0x1p-149});
     default:
-      return std::abs(c.real(c.flag() ? -5 : -149, -1));
+      return c.positive(c.flag() ? -5 : -149, -1);
   }
 }
 
@@ -170,8 +182,8 @@ inline SizeCase size_at_limit(Choices& c) {
 }
 
 inline SizeCase any_size(Choices& c, int lowest, int highest_ratio, int lowest_w, int highest_w) {
-  const double ratio = std::abs(c.real(lowest, highest_ratio));
-  const double w = std::abs(c.real(lowest_w, highest_w));
+  const double ratio = c.positive(lowest, highest_ratio);
+  const double w = c.positive(lowest_w, highest_w);
   const double first = any_cosine(c);
   return {"a sample", ratio, w, first, any_cosine(c)};
 }
@@ -186,32 +198,51 @@ inline std::vector<InputClass<SizeCase>> generated_sizes() {
 // ---- orders (task 12.5) ----
 
 // An epipole at the centre of a column or at its border, as nearly as a double can say it, or one
-// step beside.
+// step beside; 0 has no such step that the contract allows.
 inline OrderCase epipole_at_column(Choices& c) {
-  const double w = c.flag() ? c.real(-900, 900) : c.real(-3, 3);
+  const double w = c.flag() ? c.real(-890, 890) : c.real(-3, 3);
   const int count = 1 + int(c.below(12));
-  return {"an epipole", c.near(double(c.integer(-2, 2 * count + 2)) / 2 * w), w, count};
+  const double at = double(c.integer(-2, 2 * count + 2)) / 2 * w;
+  return {"an epipole", at == 0 ? 0 : c.near(at), w, count};
+}
+
+// A row that is long enough for (i + 1/2) w to need 65 bits or more at its end. This product is a
+// multiple of 2^13, which is the epipole, and 1 more or less: numbers of 64 bits, the long double
+// of some machines, take it for the epipole. n is 2 i + 1, so that n `inverse` is 1 modulo 2^13.
+inline OrderCase epipole_near_long_product(Choices& c) {
+  const std::uint64_t i = 2048 + c.below(64), n = 2 * i + 1;
+  std::uint64_t inverse = n;  // right to 3 bits, and to twice as many after each step
+  for (int step = 0; step < 3; ++step) inverse *= 2 - n * inverse;
+  if (c.flag()) inverse = -inverse;
+  const std::uint64_t high = (std::uint64_t(1) << 39) + c.below(std::uint64_t(1) << 39);
+  double w = double(high << 13 | (inverse & 0x1fff));
+  w = std::ldexp(w, int(c.integer(-60, -48)));
+  if (c.flag()) w = -w;
+  return {"an epipole", (double(i) + 0.5) * w, w, int(i + 1 + c.below(2))};
 }
 
 inline std::vector<InputClass<OrderCase>> generated_orders() {
-  return {{"epipoles in and beside the picture, before and behind the eye (C-82)", 30'000,
-           [](Choices& c) {
-             const double w = double(c.integer(-6, 6)) / 4, at = double(c.integer(-24, 24)) / 8;
-             return OrderCase{"an epipole", w == 0 && at == 0 ? 1 : at, w, int(c.below(13))};
-           }},
-          {"epipoles of any size", 20'000,
-           [](Choices& c) {
-             const double w = c.below(8) == 0 ? c.one_of({0.0, -0.0}) : c.real(-900, 900);
-             return OrderCase{"an epipole", c.real(-900, 900), w, int(c.below(13))};
-           }},
-          {"epipoles at a column's centre or border, or one rounding step beside it", 40'000,
-           epipole_at_column},
-          {"long rows", 40, [](Choices& c) {
-             const double w = c.real(-3, 3);
-             const int count = 1 + int(c.below(16'384));
-             return OrderCase{"an epipole",
-                              c.near((double(c.below(std::uint64_t(count))) + 0.5) * w), w, count};
-           }}};
+  return {
+      {"epipoles in and beside the picture, before and behind the eye (C-82)", 30'000,
+       [](Choices& c) {
+         const double w = double(c.integer(-6, 6)) / 4, at = double(c.integer(-24, 24)) / 8;
+         return OrderCase{"an epipole", w == 0 && at == 0 ? 1 : at, w, int(c.below(13))};
+       }},
+      {"epipoles of any size", 20'000,
+       [](Choices& c) {
+         const double w = c.below(8) == 0 ? c.one_of({0.0, -0.0}) : c.real(-900, 900);
+         return OrderCase{"an epipole", c.real(-900, 900), w, int(c.below(13))};
+       }},
+      {"epipoles at a column's centre or border, or one rounding step beside it", 40'000,
+       epipole_at_column},
+      {"long rows", 40,
+       [](Choices& c) {
+         const double w = c.real(-3, 3);
+         const int count = 1 + int(c.below(16'384));
+         return OrderCase{"an epipole", c.near((double(c.below(std::uint64_t(count))) + 0.5) * w),
+                          w, count};
+       }},
+      {"epipoles that 64 bits do not tell from a column's centre", 200, epipole_near_long_product}};
 }
 
 // ---- pictures (task 12.6) ----
@@ -249,7 +280,7 @@ inline double centre_distance(double at) {
 inline DrawCase near_centre(Choices& c, int width) {
   Canvas canvas = canvas_of(c.flag() ? Hiding::kLast : Hiding::kNearest, {}, width, 1);
   Placed sample;
-  const double w = std::abs(c.real(-20, 20));
+  const double w = c.positive(-20, 20);
   sample.at = {float(double(c.below(std::uint64_t(width))) * w), float(0.75 * w), float(w / 2),
                float(w)};
   sample.colour = number_colour(1);
@@ -271,9 +302,9 @@ inline DrawCase near_centre(Choices& c, int width) {
 // plane.
 inline DrawCase equal_depths(Choices& c) {
   Canvas canvas = canvas_of(c.flag() ? Hiding::kLast : Hiding::kNearest, {}, 1, 1);
-  const float w = float(std::abs(c.real(-60, 60)));
-  const float other = c.flag() ? c.near(w) : float(std::abs(c.real(-60, 60)));
-  const float z = c.flag() ? w : float(double(w) * std::abs(c.real(-20, -1)));
+  const float w = float(c.positive(-60, 60));
+  const float other = c.flag() ? c.near(w) : float(c.positive(-60, 60));
+  const float z = c.flag() ? w : float(double(w) * c.positive(-20, -1));
   const double as_far = double(z) / double(w) * double(other);
   canvas.samples = {
       {{0.5f * w, 0.5f * w, c.near(z), w}, 4, number_colour(1)},
@@ -289,11 +320,15 @@ inline DrawCase far_outside(Choices& c) {
   for (int i = 0; i < count; ++i) {
     Placed sample;
     if (c.flag()) {  // a position of up to 2^127 2^149 pixels
-      const float x = float(c.real(100, 127)), w = float(std::abs(c.real(-149, 60)));
+      const float x = float(c.real(100, 127)), w = float(c.positive(-149, 60));
       sample = {{x, c.flag() ? x : -x, 0, w}, std::ldexp(1.0, int(c.below(7))), {}};
     } else {  // a large square with an edge in the picture or at its other side
       const double side = std::ldexp(1.0, int(c.integer(7, 45)));
-      const double x = c.flag() ? 0.25 : std::ldexp(c.flag() ? -1.0 : 1.0, int(c.below(46)));
+      double x = 0.25;
+      if (!c.flag()) {
+        const double sign = c.flag() ? -1 : 1;
+        x = std::ldexp(sign, int(c.below(46)));
+      }
       sample = placed(x, 0.25, 0.5, 1, side, 0);
     }
     sample.colour = number_colour(i + 1);

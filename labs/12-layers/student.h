@@ -81,7 +81,7 @@ struct Splat {
 // is F2/F1, the second eye's focal length over the first eye's; w > 0 is d2/d1, the ratio of the
 // distances. The cosines, 0 to 1, are those of the angles between the surface's normal and the
 // lines to the two eyes. A surface that the first eye saw exactly edge-on (cosine 0) is cut to 64
-// px. No number is below 2^-149, except a cosine that is 0, or 2^128 or more, so nothing overflows
+// px. All numbers are below 2^128 and at least 2^-149; a cosine may also be 0. So nothing overflows
 // in double. Error bound of the side: 8 u side; where l is not 64 but closer to 64 than that bound,
 // is_cut may be either.
 Splat splat_size(double focal_ratio, double w, double cosine_first, double cosine_second);
@@ -120,10 +120,9 @@ struct Canvas {
 // Task 12.6. The second picture. A sample is drawn if w > 0 and its depth z w / w is at most 1: not
 // if it is behind the eye or nearer than the near plane. It covers those pixels whose centres are
 // in (x - side/2, x + side/2] and (y - side/2, y + side/2], with x = x w / w in double, and y
-// likewise. It may be outside the picture, or as far away as a float can express; its
-// depth may be 0 or below. A side has any size, 0 (no pixels) or more. Exact: no pixel
-// centre is within 2^-20 px of an edge of the square, unless x, y and side have so few digits that
-// nothing is rounded.
+// likewise. It may be outside the picture, or as far away as a float can express; its depth may be
+// 0 or below. A side has any size, 0 (no pixels) or more. Exact: no pixel centre is within 2^-20 px
+// of an edge of the square, unless x, y and side have so few digits that nothing is rounded.
 Image<Rgba8> draw(const Canvas& canvas);
 
 }  // namespace lab_12

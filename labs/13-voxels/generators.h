@@ -32,7 +32,7 @@ inline AxisChoices any_axis(Choices& c, int lowest, int highest) {
 }
 inline double any_coordinate(Choices& c, const AxisChoices& axis, int lowest, int highest) {
   const int side = c.below(12) == 0 ? 0 : axis.side;
-  const double size = std::abs(c.real(lowest, highest));
+  const double size = c.positive(lowest, highest);
   switch (side) {
     case 1:
       return c.flag() ? axis.low - size : std::nextafter(axis.low, -HUGE_VAL);
@@ -75,7 +75,7 @@ inline double any_level(Choices& c) {
     case 1:
       return c.one_of({0.0, 255.0, 1e-150});
     default:
-      return std::abs(c.real(-30, 6));
+      return c.positive(-30, 6);
   }
 }
 // A colour like another one, each channel a little more or less, but from 0 to 255.
@@ -120,9 +120,37 @@ inline std::vector<InputClass<ColoursCase>> generated_colours() {
 
 // ---- verdicts (task 13.3) ----
 
-// The colours are whole multiples of a step that is a power of two, and k2 is an odd number of
-// 64ths of a step. The deviation is then never equal to T: for up to eight colours a deviation or M
-// that is a fraction has a denominator that is 8 times an odd number, at most.
+// The deviation of colours, with an error of less than 2^-40.
+inline double deviation_of(const std::vector<Colour>& colours) {
+  const auto count = double(colours.size());
+  double squares = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double mean = 0;
+    for (const Colour& colour : colours) mean += colour[k] / count;
+    for (const Colour& colour : colours) squares += (colour[k] - mean) * (colour[k] - mean);
+  }
+  return colours.size() < 2 ? 0 : std::sqrt(squares / (3 * (count - 1)));
+}
+// Whether the deviation is so near to T, or equal to it, that rounding may decide.
+inline bool is_undecided(const JudgeCase& input) {
+  std::vector<Colour> together;
+  double within = 0;
+  int views = 0;
+  for (const std::vector<Pixel>& picture : input.pictures) {
+    std::vector<Colour> seen;
+    for (const Pixel& pixel : picture) {
+      if (!pixel.is_background && !pixel.is_hidden) seen.push_back(pixel.colour);
+    }
+    views += !seen.empty();
+    within += deviation_of(seen);
+    together.insert(together.end(), seen.begin(), seen.end());
+  }
+  if (views == 0) return false;
+  const double most = input.threshold.k1 * within / views + input.threshold.k2;
+  return std::abs(deviation_of(together) - most) < 0x1p-34;
+}
+
+// The colours are whole multiples of a step that is a power of two.
 inline Pixel any_pixel(Choices& c, const Colour& colour, double step, int reach) {
   Pixel pixel{colour, false, false};
   for (double& value : pixel.colour)
@@ -145,6 +173,7 @@ inline JudgeCase any_judged(Choices& c) {
     for (std::uint64_t k = c.below(3); k > 0; --k)
       made.pictures.back().push_back(any_pixel(c, colour, step, reach));
   }
+  if (is_undecided(made)) made.threshold.k2 += step / 64;
   return made;
 }
 
@@ -189,10 +218,13 @@ inline std::vector<InputClass<JudgeCase>> generated_judged() {
 // at borders of pixels and at the border of the picture.
 inline FootprintCase parallel_footprint(Choices& c) {
   FootprintCase made{"a voxel", {}, {}, 1 + int(c.below(8)), 1 + int(c.below(6))};
-  const double w = std::ldexp(c.below(16) == 0 ? -1.0 : 1.0, int(c.integer(-3, 3)));
+  const double sign = c.below(16) == 0 ? -1 : 1;
+  const double w = std::ldexp(sign, int(c.integer(-3, 3)));
   for (std::size_t i = 0; i < 2; ++i) {
-    for (double& entry : made.pixel_from_grid[i])
-      entry = double(c.integer(-8, 8)) / double(c.one_of({1, 2, 4})) * w;
+    for (double& entry : made.pixel_from_grid[i]) {
+      const auto whole = double(c.integer(-8, 8));
+      entry = whole / double(c.one_of({1, 2, 4})) * w;
+    }
   }
   made.pixel_from_grid[2] = {0, 0, 0, w};
   const int x = int(c.integer(-3, 3)), y = int(c.integer(-3, 3));
@@ -200,18 +232,20 @@ inline FootprintCase parallel_footprint(Choices& c) {
   return made;
 }
 
-// The same, for a voxel that is larger than every int, or so far away.
+// The same, for a voxel that is larger than every int, or so far away. A position is a multiple of
+// 1/2 below 2^52: three products of an entry of at most 2^37 and a coordinate of at most 2^13 + 1,
+// and another entry.
 inline FootprintCase large_footprint(Choices& c) {
   FootprintCase made = parallel_footprint(c);
   made.pixel_from_grid[2][3] = 1;
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      made.pixel_from_grid[i][k] =
-          double(c.integer(-2, 2)) * std::ldexp(1.0, int(c.integer(0, 36)));
+      const auto factor = double(c.integer(-2, 2));
+      made.pixel_from_grid[i][k] = std::ldexp(factor, int(c.integer(0, 36)));
     }
   }
   made.voxel = {0, 0, 0};
-  if (c.flag()) made.voxel = {int(c.sized(20)), int(c.sized(20)), int(c.sized(20))};
+  if (c.flag()) made.voxel = {int(c.sized(13)), int(c.sized(13)), int(c.sized(13))};
   return made;
 }
 
@@ -256,8 +290,8 @@ inline FootprintCase turned_footprint(Choices& c) {
     p[i][3] = -(p[i][0] * made.voxel.x + p[i][1] * made.voxel.y + p[i][2] * made.voxel.z);
   p[2][3] += w;
   const double focal = std::ldexp(1.0, int(c.integer(0, 12)));
-  const double column = double(c.integer(-2, 14)) + double(c.below(1024)) / 1024;
-  const double row = double(c.integer(-2, 11)) + double(c.below(1024)) / 1024;
+  const double column = double(c.integer(-2 * 1024, 15 * 1024 - 1)) / 1024;
+  const double row = double(c.integer(-2 * 1024, 12 * 1024 - 1)) / 1024;
   for (std::size_t k = 0; k < 4; ++k) {
     p[0][k] = focal * p[0][k] + column * p[2][k];
     p[1][k] = focal * p[1][k] + row * p[2][k];

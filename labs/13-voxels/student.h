@@ -130,10 +130,10 @@ struct Coloured {
 // Task 13.5. Voxel colouring. Layer by layer along the axis, away from the cameras, each voxel is
 // judged by the pixel of its centre in each picture (none where the centre is outside the picture
 // or not in front of the camera). After each layer, and not before, the pixels of its coloured
-// voxels become hidden in all pictures. No pixel is hidden at the beginning. Where the
-// place of a centre is a whole number, it is a quotient that is not rounded. Returns the coloured
-// voxels with their mean colour, in the order of the layers, within a layer by z, then y, then x.
-// Error bound of a colour: (K + 4) u 255 for K pictures.
+// voxels become hidden in all pictures. No pixel is hidden at the beginning. If u or v of a centre
+// is a whole number, the division u w / w gives it exactly. Returns the coloured voxels with their
+// mean colour, in the order of the layers, within a layer by z, then y, then x. Error bound of a
+// colour: (K + 4) u 255 for K pictures.
 std::vector<Coloured> sweep(std::vector<Picture> pictures, const Grid& grid,
                             const Threshold& threshold);
 

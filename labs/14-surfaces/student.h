@@ -68,9 +68,8 @@ struct Covered {
 };
 
 // Task 14.3. Adds a polygon to the layers, or removes it. Nothing else of the layers changes. An id
-// is added only if it is not there. A
-// polygon that is removed covers what it covered when it was added; removing an id that is not
-// there changes nothing. Exact.
+// is added only if it is not there. A polygon that is removed covers what it covered when it was
+// added; removing an id that is not there changes nothing. Exact.
 void add(Layers& layers, int id, const std::vector<Covered>& covered);
 void remove(Layers& layers, int id, const std::vector<Covered>& covered);
 
@@ -84,8 +83,8 @@ using Vector = std::array<double, 3>;
 // then divided by their sum. If the sum is 0, the view that sees the polygon and has the smallest
 // angle to the direction gets the weight 1, the first among equally near ones; if none sees it, all
 // weights are 0. Vectors are of unit length up to rounding. Error bound of each weight: 64 u /
-// (|det(views)| s), where s is the sum by which the weights are divided, but at most 1. Whether the
-// sum is 0, and which of two views is nearer, does not depend on rounding.
+// (|det(views)| s), where s is that sum, or 1 if the sum is larger; exact if the sum is 0. Whether
+// the sum is 0, and which of two views is nearer, does not depend on rounding.
 std::array<double, 3> view_weights(const Vector& direction, const std::array<Vector, 3>& views,
                                    const std::array<bool, 3>& sees);
 
@@ -97,9 +96,9 @@ using Matrix = std::vector<std::vector<double>>;  // rows
 // Task 14.5. The mean of the pixels, and their covariance: entry (i, j) is the mean of (x_i -
 // m_i)(x_j - m_j), where x_i is band i of a pixel and m_i the mean of that band. Values may be
 // large compared with their differences.
-// Error bound of a mean: 2 n u of the largest value, for n pixels; of an entry: 8 n u of the
-// largest entry on the diagonal, plus 4 (n u times the largest value)^2. There is at least one
-// pixel.
+// Error bound of a mean: 2 n u of the largest absolute value, for n pixels; of an entry: 8 n u of
+// the largest entry on the diagonal, plus 4 (n u times the largest absolute value)^2. There is at
+// least one pixel.
 struct Statistics {
   std::vector<double> mean;
   Matrix covariance;
@@ -109,9 +108,9 @@ Statistics statistics(const Pixels& pixels);
 // Task 14.6. The pixels approximated by k components: pixel x becomes x' = mean + sum over the
 // first k vectors v of (v . (x - mean)) v. The vectors are the eigenvectors of the covariance, of
 // unit length, largest eigenvalue first. `error` is the mean of |x - x'|^2 over the pixels.
-// Error bounds of the pixels: 64 u of the largest |x - mean| of a pixel, plus 4 u of the largest
-// value; of the error: 256 u of the mean of |x - mean|^2, plus twice the first bound times the
-// largest |x - mean|.
+// Error bound of the pixels: 64 u d + (k + 2) u of the largest absolute value, where d is the
+// largest |x - mean| of a pixel; of the error: 256 u of the mean of |x - mean|^2, plus r (2 d + r),
+// where r is the first bound times the root of the number of bands.
 struct Reconstruction {
   Pixels pixels;
   double error = 0;
