@@ -289,7 +289,9 @@ inline FootprintCase turned_footprint(Choices& c) {
   for (std::size_t i = 0; i < 3; ++i)
     p[i][3] = -(p[i][0] * made.voxel.x + p[i][1] * made.voxel.y + p[i][2] * made.voxel.z);
   p[2][3] += w;
-  const double focal = std::ldexp(1.0, int(c.integer(0, 12)));
+  // In a short focal length a voxel looks lopsided: a rectangle may have pixels, but not the one of
+  // the voxel's centre.
+  const double focal = std::ldexp(1.0, int(c.integer(0, c.flag() ? 12 : 1)));
   const double column = double(c.integer(-2 * 1024, 15 * 1024 - 1)) / 1024;
   const double row = double(c.integer(-2 * 1024, 12 * 1024 - 1)) / 1024;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -307,9 +309,28 @@ inline FootprintCase turned_footprint(Choices& c) {
   return made;
 }
 
+// The same in a wide picture, so that a position in float is wrong by many 2^-20 px: a corner is
+// 2^-17 px beside the centre of a pixel.
+inline FootprintCase footprint_in_wide_picture(Choices& c) {
+  const FootprintCase narrow = turned_footprint(c);
+  FootprintCase made = narrow;
+  made.width = 4096;
+  const auto corner = c.below(8);
+  const auto h = times(made.pixel_from_grid, made.voxel.x + double(corner & 1),
+                       made.voxel.y + double(corner >> 1 & 1), made.voxel.z + double(corner >> 2));
+  const double off = c.flag() ? 0x1p-17 : -0x1p-17;
+  const double place = double(c.integer(1024, 4000)) + 0.5 + off;
+  const double shift = place - h[0] / h[2];
+  if (!(h[2] > 0) || std::abs(shift) > 0x1p13) return narrow;
+  for (std::size_t k = 0; k < 4; ++k)
+    made.pixel_from_grid[0][k] += shift * made.pixel_from_grid[2][k];
+  return is_undecided(made) ? narrow : made;
+}
+
 inline std::vector<InputClass<FootprintCase>> generated_footprints() {
   return {{"numbers of few digits, with corners on pixel centres", 20'000, parallel_footprint},
           {"turned cameras at every distance (C-87)", 20'000, turned_footprint},
+          {"borders near the centre of a pixel in wide pictures", 300, footprint_in_wide_picture},
           {"voxels larger than every picture", 5'000, large_footprint}};
 }
 
