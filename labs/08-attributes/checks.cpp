@@ -176,27 +176,21 @@ SpanPoint span_point(const Line& line, int x) {
 
 // The values in double have an error of 9 u53 |u|: 6 from the ends of the span (2 if these are the
 // ends of the line), and three roundings. That is at most half of the bound, which is at least 18
-// u53 |u| for one pixel and 20 u53 |u| for more. So an answer within half of the bound of such a
-// value is right, and one that is off by twice the bound is wrong; between the two, exact numbers
-// decide.
+// u53 |u| for one pixel and 20 u53 |u| for more, as judge_nearly() needs it.
 bool right_span(const SpanCase& input, const Answer& answer) {
   const Line& line = input.line;
-  const auto* u = find_field(answer, "u at each pixel");
-  if (u == nullptr || u->size() != std::size_t(line.pixels)) return false;
   const double bound = 2 * (line.pixels + 8) * u53 * scale_of(line);
-  bool sure = true;
+  std::vector<double> nearly;
   for (int first = 0; first < line.pixels; first += input.every) {
     const int end = std::min(first + input.every, line.pixels), length = end - first;
     const double start = span_point(line, first).u, last = span_point(line, end).u;
     for (int x = first; x < end; ++x) {
       const double past = x - first + 0.5;
-      const double value = ((length - past) * start + past * last) / length;
-      const double distance = std::abs((*u)[std::size_t(x)] - value);
-      if (!(distance <= 2 * bound)) return false;
-      sure = sure && distance <= bound / 2;
+      nearly.push_back(((length - past) * start + past * last) / length);
     }
   }
-  return sure || !judge_case(expect_span(input), answer);
+  const auto judged = judge_nearly(nearly, bound, find_field(answer, "u at each pixel"));
+  return judged ? *judged : !judge_case(expect_span(input), answer);
 }
 
 // The largest error of linear interpolation in any span, by the law of task 8.3: |du| (sqrt r - 1)
@@ -217,9 +211,9 @@ Decimal largest_span_error(const Line& line, int every) {
 // The bound 64 R u53 |u| (u53 = 2^-53) of the error |du| (sqrt r - 1) / (sqrt r + 1). du is the
 // difference of two coordinates with errors of 8 R u53 |u| each. r has a relative error of 16 R
 // u53, and its square root half of that. The quotient gets at most half of the root's error,
-// because sqrt r + 1 is at least 2.
+// because sqrt r + 1 is at least 2. If u0 = u1, the error is exactly 0.
 double choice_bound(const Line& line) {
-  return 64 * u53 * scale_of(line);
+  return line.u0 == line.u1 ? 0 : 64 * u53 * scale_of(line);
 }
 
 std::vector<Expected> choice_fields(const Line& line, int every, double error) {
@@ -231,7 +225,8 @@ std::vector<Expected> choice_fields(const Line& line, int every, double error) {
 // The errors of spans of 2, 4, 8, ... pixels never decrease, because each span is a part of one of
 // the next length, over which both du and r are at least as large. So the first error above the
 // tolerance ends the search. If an error is within the bound of the tolerance, the search may end
-// there or go on: all answers that this allows are right.
+// there or go on: all answers that this allows are right. Without a bound (u0 = u1) no error is
+// above the tolerance, even if both are 0.
 Case expect_choice(const ChoiceCase& input) {
   const Line& line = input.line;
   const Decimal tolerance(input.tolerance), bound(choice_bound(line));
@@ -248,7 +243,8 @@ Case expect_choice(const ChoiceCase& input) {
                         2 * length <= line.pixels ? "," : "");
     if (surely_above) continue;
     // The length before this one is a right answer if this length may count as above.
-    if (!(of_length < tolerance - bound)) right.push_back(choice_fields(line, every, error));
+    if (input.line.u0 != input.line.u1 && !(of_length < tolerance - bound))
+      right.push_back(choice_fields(line, every, error));
     surely_above = tolerance + bound < of_length;
     if (surely_above) continue;
     every = length;
@@ -293,6 +289,7 @@ bool right_choice(const ChoiceCase& input, const Answer& answer) {
   if (!(given >= 1 && given <= line.pixels) || given != std::floor(given)) return false;
   const int every = int(given);
   if ((every & (every - 1)) != 0 || (every == 1 && error != 0)) return false;
+  if (line.u0 == line.u1) return error == 0 && 2 * every > line.pixels;
   bool sure = true;
   if (every > 1) {
     const double right = nearly_largest_error(line, every);
@@ -422,7 +419,7 @@ Case expect_footprint(const FootprintCase& input) {
 // |attribute|, u: the unit roundoff), and N' and D' of 8 u and 6 u times e q U and e q (e: the
 // longer side of the bounding box, q: the largest 1/w). Together that is 52 u k U / e, with k of
 // the bound, which is 1 at least: a thirty-ninth of the bound.
-std::array<double, 2> nearly_gradient(const FootprintCase& input, Attribute attribute) {
+std::vector<double> nearly_gradient(const FootprintCase& input, Attribute attribute) {
   double n = 0, d = 0, nx = 0, ny = 0, dx = 0, dy = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const TexturedVertex& vertex = input.triangle[k];
@@ -437,24 +434,13 @@ std::array<double, 2> nearly_gradient(const FootprintCase& input, Attribute attr
   return {(nx - n / d * dx) / d, (ny - n / d * dy) / d};
 }
 
-// Whether two derivatives are within the bound; nothing if exact numbers must decide.
-std::optional<bool> judge_gradient(const std::array<double, 2>& nearly, double bound,
-                                   const std::vector<double>* actual) {
-  if (actual == nullptr || actual->size() != 2) return false;
-  const double distance = std::max(distance_between(nearly[0], (*actual)[0]),
-                                   distance_between(nearly[1], (*actual)[1]));
-  if (distance <= bound / 2) return true;
-  if (!(distance <= 2 * bound)) return false;
-  return std::nullopt;
-}
-
 bool right_footprint(const FootprintCase& input, const Answer& answer) {
   const auto u = nearly_gradient(input, &TexturedVertex::u);
   const auto v = nearly_gradient(input, &TexturedVertex::v);
   const double u_bound = gradient_bound(input, &TexturedVertex::u);
   const double v_bound = gradient_bound(input, &TexturedVertex::v);
-  const auto u_judged = judge_gradient(u, u_bound, find_field(answer, "du/dx, du/dy"));
-  const auto v_judged = judge_gradient(v, v_bound, find_field(answer, "dv/dx, dv/dy"));
+  const auto u_judged = judge_nearly(u, u_bound, find_field(answer, "du/dx, du/dy"));
+  const auto v_judged = judge_nearly(v, v_bound, find_field(answer, "dv/dx, dv/dy"));
   if (u_judged == false || v_judged == false) return false;
   const double longer = std::max(std::hypot(input.width * u[0], input.height * v[0]),
                                  std::hypot(input.width * u[1], input.height * v[1]));

@@ -164,28 +164,21 @@ std::array<std::array<double, 3>, 4> nearly_down(const Patch& patch, int i, int 
   return down;
 }
 
-// Positions in double are off by 8 u, an eighth of the bound. So an answer within half of the bound
-// is right, and one that is off by twice the bound is wrong; between the two, exact numbers decide.
+// Positions in double are off by 8 u, an eighth of the bound (judge_nearly() allows half of it).
 bool right_patch(const PatchCase& input, const Answer& answer) {
-  const auto *positions = find_field(answer, "positions"),
-             *triangles = find_field(answer, "triangles");
   const auto count = std::size_t(input.level) + 1;
-  if (positions == nullptr || positions->size() != 3 * count * count) return false;
-  if (triangles == nullptr || *triangles != triangles_of(input)) return false;
-  const double bound = position_bound(input.patch);
-  double largest = 0;
+  if (!has_numbers(answer, "triangles", triangles_of(input))) return false;
+  std::vector<double> nearly(3 * count * count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto down = nearly_down(input.patch, int(i), input.level);
     for (std::size_t j = 0; j < count; ++j) {
       const std::array<double, 3> p = nearly_on_curve(down, int(j), input.level);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double distance = std::abs((*positions)[3 * (j * count + i) + k] - p[k]);
-        if (!(distance <= 2 * bound)) return false;
-        largest = std::max(largest, distance);
-      }
+      for (std::size_t k = 0; k < 3; ++k) nearly[3 * (j * count + i) + k] = p[k];
     }
   }
-  return largest <= bound / 2 || !judge_case(expect_patch(input), answer);
+  const auto judged =
+      judge_nearly(nearly, position_bound(input.patch), find_field(answer, "positions"));
+  return judged ? *judged : !judge_case(expect_patch(input), answer);
 }
 
 // ---- seams ----
@@ -220,21 +213,15 @@ Case expect_seam(const SeamCase& input) {
 bool right_seam(const SeamCase& input, const Answer& answer) {
   const auto* first = find_field(answer, "border of the first patch");
   const auto* second = find_field(answer, "border of the second patch");
-  const auto count = std::size_t(input.level) + 1;
-  if (first == nullptr || second == nullptr || first->size() != 3 * count || *first != *second)
-    return false;
-  const double bound = position_bound(input.a);
-  double largest = 0;
-  for (std::size_t i = 0; i < count; ++i) {
+  if (first == nullptr || second == nullptr || *first != *second) return false;
+  std::vector<double> nearly;
+  for (int i = 0; i <= input.level; ++i) {
     const std::array<double, 3> p =
-        nearly_on_curve(nearly_down(input.a, int(i), input.level), input.level, input.level);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double distance = std::abs((*first)[3 * i + k] - p[k]);
-      if (!(distance <= 2 * bound)) return false;
-      largest = std::max(largest, distance);
-    }
+        nearly_on_curve(nearly_down(input.a, i, input.level), input.level, input.level);
+    nearly.insert(nearly.end(), p.begin(), p.end());
   }
-  return largest <= bound / 2 || !judge_case(expect_seam(input), answer);
+  const auto judged = judge_nearly(nearly, position_bound(input.a), first);
+  return judged ? *judged : !judge_case(expect_seam(input), answer);
 }
 
 // ---- levels ----
@@ -263,6 +250,51 @@ Decimal longest(const Rows& rows, const std::vector<Term>& terms) {
   return sqrt(decimal_from(largest));
 }
 
+// The lengths of task 8.6 in double, and their sum with px_per_unit / 8. It rounds by less than
+// either_level(), and not at all where nothing_rounds().
+double nearly_at_level_1(const LevelCase& input) {
+  const auto& p = input.patch.rows;
+  const auto combined = [&](std::size_t j, std::size_t i, std::array<std::size_t, 2> right,
+                            std::array<std::size_t, 2> down, std::array<std::size_t, 2> last) {
+    const Vector<Object, double> v = (p[j + last[0]][i + last[1]] - p[j + right[0]][i + right[1]]) -
+                                     (p[j + down[0]][i + down[1]] - p[j][i]);
+    return std::sqrt(dot(v, v));
+  };
+  double uu = 0, uv = 0, vv = 0;
+  for (std::size_t a = 0; a < 4; ++a) {
+    for (std::size_t b = 0; b < 2; ++b) {
+      uu = std::max(uu, combined(a, b, {0, 1}, {0, 1}, {0, 2}));
+      vv = std::max(vv, combined(b, a, {1, 0}, {1, 0}, {2, 0}));
+    }
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < 3; ++i) uv = std::max(uv, combined(j, i, {0, 1}, {1, 0}, {1, 1}));
+  }
+  return (6 * uu + 18 * uv + 6 * vv) * input.px_per_unit / 8;
+}
+
+// Whether no step of task 8.6 has to round (student.h). All terms of Muu, Muv and Mvv are whole
+// numbers below 2^26 in size, times 6 or 9. Both sides, times 8 level^2 / px_per_unit, are whole
+// numbers below 2^33. So they are equal in double, too, or differ by far more than a rounding.
+bool nothing_rounds(const LevelCase& input) {
+  int exponent = 0;
+  if (std::frexp(input.px_per_unit, &exponent) != 0.5) return false;
+  const double n = input.tolerance_px / input.px_per_unit * 8;
+  if (!(n < 0x1p13) || n != std::floor(n)) return false;
+  std::array<bool, 3> used{};
+  for (const auto& row : input.patch.rows) {
+    for (const auto& p : row) {
+      const std::array<double, 3> coordinates{p.x, p.y, p.z};
+      for (std::size_t k = 0; k < 3; ++k) {
+        used[k] = used[k] || coordinates[k] != 0;
+        if (std::abs(coordinates[k]) >= 0x1p24 || coordinates[k] != std::floor(coordinates[k]))
+          return false;
+      }
+    }
+  }
+  return std::count(used.begin(), used.end(), true) <= 1;
+}
+
 // How far the two sides of the formula of task 8.6 may be apart, times level^2, for either answer
 // to be right: 512 u C px_per_unit (u: the unit roundoff, C: the largest coordinate of a control
 // point in size). A difference of four control points of coordinates up to C rounds by 8 u C. Three
@@ -271,6 +303,7 @@ Decimal longest(const Rows& rows, const std::vector<Term>& terms) {
 // and rounds by 4 u with its factors: 2320 u C together, of which 1/8 is 290 u C. The right side
 // rounds twice, which is 53 u C where both sides are equal.
 double either_level(const LevelCase& input) {
+  if (nothing_rounds(input)) return 0;
   double largest = 0;
   for (const auto& row : input.patch.rows) {
     for (const auto& p : row)
@@ -284,7 +317,10 @@ Case expect_level(const LevelCase& input) {
   const Decimal uu = longest(rows, {{0, 0, 6}, {1, 0, -12}, {2, 0, 6}});
   const Decimal vv = longest(rows, {{0, 0, 6}, {0, 1, -12}, {0, 2, 6}});
   const Decimal uv = longest(rows, {{0, 0, 9}, {1, 0, -9}, {0, 1, -9}, {1, 1, 9}});
-  const Decimal at_level_1 = (uu + Decimal(2) * uv + vv) * Decimal(input.px_per_unit) / Decimal(8);
+  const Decimal at_level_1 =
+      nothing_rounds(input)
+          ? Decimal(nearly_at_level_1(input))  // a decimal root of a square may round
+          : (uu + Decimal(2) * uv + vv) * Decimal(input.px_per_unit) / Decimal(8);
   const auto first_level = [&](const Decimal& left) {
     int level = 1;
     while (level < 256 && Decimal(input.tolerance_px) * Decimal(level * level) < left) ++level;
@@ -312,29 +348,6 @@ Case expect_level(const LevelCase& input) {
   return made;
 }
 
-// The lengths of task 8.6 in double, and their sum with px_per_unit / 8. It rounds by less than
-// either_level().
-double nearly_at_level_1(const LevelCase& input) {
-  const auto& p = input.patch.rows;
-  const auto combined = [&](std::size_t j, std::size_t i, std::array<std::size_t, 2> right,
-                            std::array<std::size_t, 2> down, std::array<std::size_t, 2> last) {
-    const Vector<Object, double> v = (p[j + last[0]][i + last[1]] - p[j + right[0]][i + right[1]]) -
-                                     (p[j + down[0]][i + down[1]] - p[j][i]);
-    return std::sqrt(dot(v, v));
-  };
-  double uu = 0, uv = 0, vv = 0;
-  for (std::size_t a = 0; a < 4; ++a) {
-    for (std::size_t b = 0; b < 2; ++b) {
-      uu = std::max(uu, combined(a, b, {0, 1}, {0, 1}, {0, 2}));
-      vv = std::max(vv, combined(b, a, {1, 0}, {1, 0}, {2, 0}));
-    }
-  }
-  for (std::size_t j = 0; j < 3; ++j) {
-    for (std::size_t i = 0; i < 3; ++i) uv = std::max(uv, combined(j, i, {0, 1}, {1, 0}, {1, 1}));
-  }
-  return (6 * uu + 18 * uv + 6 * vv) * input.px_per_unit / 8;
-}
-
 // Judges in double where that is enough: both sides are further apart than twice the distance at
 // which either answer is right.
 bool right_level(const LevelCase& input, const Answer& answer) {
@@ -345,8 +358,8 @@ bool right_level(const LevelCase& input, const Answer& answer) {
   const double left = nearly_at_level_1(input);
   const auto is_enough = [&](double cells) -> std::optional<bool> {
     const double apart = input.tolerance_px * cells * cells - left;
-    if (std::abs(apart) <= either) return std::nullopt;
-    return apart > 0;
+    if (either > 0 && std::abs(apart) <= either) return std::nullopt;
+    return apart >= 0;
   };
   const std::optional<bool> enough = level == 256 ? true : is_enough(level);
   const std::optional<bool> too_much = level == 1 ? false : is_enough(level - 1);

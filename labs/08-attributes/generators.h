@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -16,11 +17,6 @@ namespace lab_08 {
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
 
-// A positive number of any size from 2^lowest to 2^highest.
-inline double positive(Choices& c, int lowest, int highest) {
-  return std::abs(c.real(lowest, highest - 1));
-}
-
 // ---- one pixel (task 8.1) ----
 
 // An edge function: of any size, or beside a power of two, such as those of 32-bit integers.
@@ -31,7 +27,7 @@ inline std::int64_t any_edge(Choices& c) {
 }
 // A float from 2^-20 to 2^20, for 1/w.
 inline float any_inverse_w(Choices& c) {
-  return float(c.flag() ? positive(c, -20, 20) : positive(c, -4, 4));
+  return float(c.flag() ? c.positive(-20, 19) : c.positive(-4, 3));
 }
 // A coordinate: 0, or of either sign and from 2^-20 to 2^20 in magnitude.
 inline float any_texcoord(Choices& c) {
@@ -66,7 +62,7 @@ inline PixelOfTriangle balanced_pixel(Choices& c) {
   PixelOfTriangle at = any_pixel(c);
   const std::int64_t size = std::int64_t(1) << c.below(50);
   for (std::int64_t& edge : at.edges) edge = size + std::int64_t(c.below(std::uint64_t(size) + 1));
-  for (float& each : at.inverse_w) each = float(positive(c, -2, 3));
+  for (float& each : at.inverse_w) each = float(c.positive(-2, 2));
   return at;
 }
 
@@ -163,19 +159,19 @@ inline Line any_line(Choices& c, int pixels) {
   if (std::abs(line.u1) < 0x1p-100 || std::abs(line.u1) > 0x1p100) line.u1 = 0;
   switch (c.below(4)) {
     case 0:
-      line.inverse_w0 = line.inverse_w1 = positive(c, -100, 100);
+      line.inverse_w0 = line.inverse_w1 = c.positive(-100, 99);
       break;
     case 1:
-      line.inverse_w0 = positive(c, -20, 20);
+      line.inverse_w0 = c.positive(-20, 19);
       line.inverse_w1 = c.near(line.inverse_w0);
       break;
     case 2:
-      line.inverse_w0 = positive(c, -90, 90);
-      line.inverse_w1 = line.inverse_w0 * positive(c, -8, 8);
+      line.inverse_w0 = c.positive(-90, 89);
+      line.inverse_w1 = line.inverse_w0 * c.positive(-8, 7);
       break;
     default:
-      line.inverse_w0 = positive(c, -3, 3);
-      line.inverse_w1 = positive(c, -3, 3);
+      line.inverse_w0 = c.positive(-3, 2);
+      line.inverse_w1 = c.positive(-3, 2);
   }
   line.pixels = pixels;
   return line;
@@ -231,16 +227,16 @@ inline ChoiceCase any_choice(Choices& c, int pixels) {
     case 0:
       return {line, 0};
     case 1:
-      return {line, positive(c, -100, 100)};
+      return {line, c.positive(-100, 99)};
     default:
-      return {line, larger * positive(c, -24, 1)};
+      return {line, larger * c.positive(-24, 0)};
   }
 }
 
 // Over a row that is one span, 1/w changes by 9. A tolerance of half the coordinate's change,
 // beside which the other one is, decides whether one span is enough.
 inline ChoiceCase whole_row(Choices& c) {
-  const double near = positive(c, -20, 20), change = c.real(-20, 19);
+  const double near = c.positive(-20, 19), change = c.real(-20, 19);
   const int pixels = 1 << (1 + c.below(9));
   Line line{0, change, near, near * 9, pixels};
   if (c.flag()) line = {0, change, near * 9, near, pixels};
@@ -317,8 +313,8 @@ inline FootprintCase textured(Choices& c, FootprintCase made) {
   const double far = c.real(-3, 10);
   for (TexturedVertex& vertex : made.triangle) {
     vertex.inverse_w = distances == 0   ? 1
-                       : distances == 1 ? positive(c, -3, 3)
-                                        : positive(c, -20, 20);
+                       : distances == 1 ? c.positive(-3, 2)
+                                        : c.positive(-20, 19);
     for (double* each : {&vertex.u, &vertex.v}) {
       *each = coordinates == 0   ? c.multiple(-2, 2, 8)
               : coordinates == 1 ? c.real(-4, 3)
@@ -360,7 +356,7 @@ inline FootprintCase level_at_border(Choices& c) {
   made.width = any_size(c);
   made.height = any_size(c);
   const double leg = double(4 * s) / 256;
-  const double inverse_w = positive(c, -20, 20);
+  const double inverse_w = c.positive(-20, 19);
   const bool turned = c.flag(), mirrored = c.flag();
   const auto level_u = int(c.integer(-2, 15)), level_v = int(c.integer(-2, 15));
   const double u = leg * std::ldexp(c.near(1.0), level_u) / made.width;
@@ -526,8 +522,8 @@ inline std::vector<InputClass<SeamCase>> generated_seams() {
 
 // A patch and its level, with tolerances that need from less than one cell to more than 256.
 inline LevelCase one_level(Choices& c, const Patch& patch, int exponent) {
-  const double px_per_unit = std::ldexp(positive(c, -3, 3), -exponent);
-  return {"a patch", patch, px_per_unit, positive(c, -9, 8)};
+  const double px_per_unit = std::ldexp(c.positive(-3, 2), -exponent);
+  return {"a patch", patch, px_per_unit, c.positive(-9, 7)};
 }
 
 // A flat patch of which one control point is moved.
@@ -548,7 +544,7 @@ inline LevelCase one_point_moved(Choices& c) {
 // px_per_unit / (8 level^2).
 inline LevelCase tolerance_at_border(Choices& c) {
   const auto exponent = int(c.integer(-90, 89));
-  const double unit = std::ldexp(positive(c, 0, 1), exponent);
+  const double unit = std::ldexp(c.positive(0, 0), exponent);
   const double a = double(c.integer(-8, 8)) * unit, b = double(c.integer(-8, 8)) * unit;
   const double d = double(c.integer(-8, 8)) * unit;
   const auto axis = c.below(3);
@@ -560,13 +556,33 @@ inline LevelCase tolerance_at_border(Choices& c) {
       patch.rows[j][i] = {p[0], p[1], p[2]};
     }
   }
-  const double px_per_unit = std::ldexp(positive(c, -3, 3), -exponent);
+  const double px_per_unit = std::ldexp(c.positive(-3, 2), -exponent);
   const auto level = double(1 + c.below(256));
   const double left = (12 * std::abs(a) + 18 * std::abs(d) + 12 * std::abs(b)) / 8 * px_per_unit;
   const auto size = int(14 + c.below(26));
   const double beside = std::ldexp(double(c.integer(-2, 2)), -size);
   const double tolerance = left / (level * level) * (1 + beside);
   return {"a patch", patch, px_per_unit, tolerance == 0 ? 1 : tolerance};
+}
+
+// The same patch on one axis, of whole numbers so small that nothing rounds: 216 * 2^16 at most.
+// a, b and d are multiples of level^2, so the tolerance is a multiple of px_per_unit / 8.
+inline LevelCase tolerance_on_border(Choices& c) {
+  const auto level = std::int64_t(1 + c.below(256)), squared = level * level;
+  const std::int64_t a = c.integer(-8, 8), b = c.integer(-8, 8), d = c.integer(-8, 8);
+  const auto axis = c.below(3);
+  Patch patch;
+  for (std::int64_t j = 0; j < 4; ++j) {
+    for (std::int64_t i = 0; i < 4; ++i) {
+      std::array<double, 3> p{double(squared * (a * i * i + b * j * j + d * i * j)), 0, 0};
+      std::rotate(p.begin(), p.begin() + std::ptrdiff_t(axis), p.end());
+      patch.rows[std::size_t(j)][std::size_t(i)] = {p[0], p[1], p[2]};
+    }
+  }
+  const double px_per_unit = std::ldexp(1.0, int(c.integer(-20, 20)));
+  const std::int64_t left = 12 * std::abs(a) + 18 * std::abs(d) + 12 * std::abs(b);
+  const std::int64_t eighths = std::max<std::int64_t>(1, left + c.integer(-1, 1));
+  return {"a patch", patch, px_per_unit, double(eighths) / 8 * px_per_unit};
 }
 
 inline std::vector<InputClass<LevelCase>> generated_levels() {
@@ -577,6 +593,7 @@ inline std::vector<InputClass<LevelCase>> generated_levels() {
            }},
           {"flat patches of which one control point is moved", 30'000, one_point_moved},
           {"tolerances next to the error of a level", 20'000, tolerance_at_border},
+          {"whole numbers with which nothing rounds", 5'000, tolerance_on_border},
           {"patches that are a line or a point", 5'000,
            [](Choices& c) {
              const auto exponent = int(c.integer(-90, 90));
@@ -592,8 +609,8 @@ inline std::vector<InputClass<LevelCase>> generated_levels() {
            }},
           {"tolerances of every size", 5'000, [](Choices& c) {
              const Patch patch = any_patch(c, 0);
-             const double px_per_unit = positive(c, -100, 100);
-             return LevelCase{"a patch", patch, px_per_unit, positive(c, -100, 100)};
+             const double px_per_unit = c.positive(-100, 99);
+             return LevelCase{"a patch", patch, px_per_unit, c.positive(-100, 99)};
            }}};
 }
 

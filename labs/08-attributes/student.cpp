@@ -41,9 +41,9 @@ static double inverse_w_at(const Line& line, double x) {
 }
 
 static double coordinate_at(const Line& line, double x) {
-  const double far = x / line.pixels, near = 1 - far;
-  const double u_over_w = near * (line.u0 * line.inverse_w0) + far * (line.u1 * line.inverse_w1);
-  return u_over_w / inverse_w_at(line, x);
+  // The share of u1: exactly 0 and 1 at the ends. If u0 = u1, the result is exactly u0.
+  const double share = x / line.pixels * line.inverse_w1 / inverse_w_at(line, x);
+  return line.u0 + share * (line.u1 - line.u0);
 }
 // STUB:
 // END SOLUTION

@@ -67,10 +67,11 @@ struct SpanChoice {
 //     |du| (sqrt r - 1) / (sqrt r + 1)
 // gives at most `tolerance` texels in each span of the line, the last one too; and the largest of
 // these errors. du is the change of u over the span, r >= 1 the ratio of the 1/w at its ends. A
-// span of 1 means a division in every pixel, whose error is 0. Error bound of the error: 64 R u53
-// |u|, with R and |u| as in task 8.2. If an error differs from the tolerance by no more than this
-// bound, it may count as above the tolerance or not: either answer is right. The tolerance is 0 or
-// from 2^-130 to 2^110.
+// span of 1 means a division in every pixel, whose error is 0. If u0 = u1, du is exactly 0, and so
+// is the error of every span: none is above any tolerance. Otherwise the error bound of the error
+// is 64 R u53 |u|, with R and |u| as in task 8.2, and an error that differs from the tolerance by
+// no more than this bound may count as above the tolerance or not: either answer is right. The
+// tolerance is 0 or from 2^-130 to 2^110.
 SpanChoice longest_span(const Line& line, double tolerance);
 
 // ---- mip levels ----
@@ -138,7 +139,10 @@ Tessellation tessellate(const Patch& patch, int level);
 // with P[j][i] = rows[j][i]. px_per_unit and tolerance_px are from 2^-100 to 2^100.
 // The differences of control points round. So if the two sides of the formula differ by no more
 // than 512 u53 C px_per_unit / level^2 for a level, where C is the largest coordinate of a control
-// point in size, that level may count as enough or not: either answer is right.
+// point in size, that level may count as enough or not: either answer is right. But only one is
+// where nothing has to round: if all control points are on one axis of the coordinates and are
+// whole numbers below 2^24 in size, px_per_unit is a power of two, and tolerance_px is
+// px_per_unit n/8 with a whole number n below 2^13.
 int patch_level(const Patch& patch, double px_per_unit, double tolerance_px);
 
 }  // namespace lab_08

@@ -156,61 +156,58 @@ struct CullCase {
   }
 };
 
-// The point (x, y) at this distance, in the clip space of both eyes: a square picture with scale 1,
-// the near plane at 1 and the far plane at 65. w is the distance; a negative distance is behind the
-// eye.
-inline StereoPoint seen_at(const Pair& pair, double x, double y, double distance) {
-  const double shift = pair.half_separation * (1 - distance / pair.window);
-  return {float(x + shift), float(x - shift), float(y), float((distance - 1) * 65 / 64),
+// A point at this distance, in the clip space of both eyes: y is in world units, and the left eye
+// sees it at x + apart, the right eye at x - apart. The picture is a square with scale 1, the near
+// plane is at 1 and the far plane at 65. w is the distance; a negative distance is behind the eye.
+inline StereoPoint seen_at(double apart, double x, double y, double distance) {
+  return {float(x + apart), float(x - apart), float(y), float((distance - 1) * 65 / 64),
           float(distance)};
 }
 // An upright triangle, 0.25 high, with all corners at the same distance.
-inline std::array<StereoPoint, 3> upright(const Pair& pair, double x0, double x1, double y,
+inline std::array<StereoPoint, 3> upright(double apart, double x0, double x1, double y,
                                           double distance) {
-  return {seen_at(pair, x0, y, distance), seen_at(pair, x1, y, distance),
-          seen_at(pair, (x0 + x1) / 2, y + 0.25, distance)};
+  return {seen_at(apart, x0, y, distance), seen_at(apart, x1, y, distance),
+          seen_at(apart, (x0 + x1) / 2, y + 0.25, distance)};
 }
 
 inline std::vector<CullCase> triangles() {
-  const Pair pair{0.5, 10};
   CullCase all{"small triangles inside and outside the view volume", {}, {}};
-  all.add("in the middle", upright(pair, -1, 1, 0, 8));
-  all.add("a triangle far to the left", upright(pair, -30, -28, 0, 8));
-  all.add("a triangle far to the right", upright(pair, 28, 30, 0, 8));
-  all.add("above", upright(pair, -1, 1, 9, 8));
-  all.add("below", upright(pair, -1, 1, -9, 8));
-  all.add("a triangle nearer than the near plane", upright(pair, -0.1, 0.1, 0, 0.75));
+  all.add("in the middle", upright(0.1, -1, 1, 0, 8));
+  all.add("a triangle far to the left", upright(0.1, -30, -28, 0, 8));
+  all.add("a triangle far to the right", upright(0.1, 28, 30, 0, 8));
+  all.add("above", upright(0.1, -1, 1, 9, 8));
+  all.add("below", upright(0.1, -1, 1, -9, 8));
+  all.add("a triangle nearer than the near plane", upright(0.4625, -0.1, 0.1, 0, 0.75));
   all.add(
       "a triangle far in front of the near plane",
       {StereoPoint{0.5f, 0.25f, 0, -3, 1}, {0.75f, 0.5f, 0, -4, 1}, {0.5f, 0.25f, 0.5f, -3, 1}});
-  all.add("behind the eyes", upright(pair, -1, 1, 0, -8));
-  all.add("a triangle beyond the far plane", upright(pair, -1, 1, 0, 70));
-  all.add("a triangle across the left side of the frustum", upright(pair, -10, -6, 0, 8));
+  all.add("behind the eyes", upright(0.9, -1, 1, 0, -8));
+  all.add("a triangle beyond the far plane", upright(-3, -1, 1, 0, 70));
+  all.add("a triangle across the left side of the frustum", upright(0.1, -10, -6, 0, 8));
   CullCase behind{"triangles at the sides, behind the window (C-74)", {}, {}};
   behind.add("a triangle that only the left eye sees, at its right side",
-             upright(pair, 40.25, 41.25, 0, 40));
+             upright(-1.5, 40.25, 41.25, 0, 40));
   behind.add("a triangle that only the right eye sees, at its left side",
-             upright(pair, -41.25, -40.25, 3, 40));
-  behind.add("seen by both", upright(pair, 37, 38, -5, 40));
-  behind.add("a triangle too far to the right for both eyes", upright(pair, 42, 43, 0, 40));
-  behind.add("a triangle too far to the left for both eyes", upright(pair, -43, -42, 0, 40));
+             upright(-1.5, -41.25, -40.25, 3, 40));
+  behind.add("seen by both", upright(-1.5, 37, 38, -5, 40));
+  behind.add("a triangle too far to the right for both eyes", upright(-1.5, 42, 43, 0, 40));
+  behind.add("a triangle too far to the left for both eyes", upright(-1.5, -43, -42, 0, 40));
   CullCase before{"triangles at the sides, in front of the window (C-73)", {}, {}};
-  before.add("a triangle that only the right eye sees", upright(pair, 1.75, 2.25, 0, 2));
-  before.add("a triangle that only the left eye sees", upright(pair, -2.25, -1.75, 0, 2));
-  before.add("seen by both", upright(pair, 0.5, 1, 0, 2));
-  before.add("a triangle too far to the right for both eyes", upright(pair, 2.5, 3, 0, 2));
-  before.add("a triangle too far to the left for both eyes", upright(pair, -3, -2.5, 0, 2));
+  before.add("a triangle that only the right eye sees", upright(0.4, 1.75, 2.25, 0, 2));
+  before.add("a triangle that only the left eye sees", upright(0.4, -2.25, -1.75, 0, 2));
+  before.add("seen by both", upright(0.4, 0.5, 1, 0, 2));
+  before.add("a triangle too far to the right for both eyes", upright(0.4, 2.5, 3, 0, 2));
+  before.add("a triangle too far to the left for both eyes", upright(0.4, -3, -2.5, 0, 2));
   return {all, behind, before};
 }
 // BEGIN HIDDEN
 inline std::vector<CullCase> hidden_triangles() {
-  const Pair wide{3, 10}, pair{0.5, 10};
   CullCase odd{"triangles whose corners are outside different planes", {}, {}};
   odd.add("a triangle between the frusta of eyes that are far apart",
-          upright(wide, -0.25, 0.25, 0, 1.5));
-  odd.add("a triangle that only the right eye sees", upright(wide, 1.5, 2, 0, 1.5));
+          upright(2.55, -0.25, 0.25, 0, 1.5));
+  odd.add("a triangle that only the right eye sees", upright(2.55, 1.5, 2, 0, 1.5));
   odd.add("a triangle around the whole view, with each corner outside another plane",
-          {seen_at(pair, -50, -20, 8), seen_at(pair, 50, -20, 8), seen_at(pair, 0, 60, 8)});
+          {seen_at(0.1, -50, -20, 8), seen_at(0.1, 50, -20, 8), seen_at(0.1, 0, 60, 8)});
   odd.add("a triangle with a corner on the right side of the left eye's frustum",
           {StereoPoint{8, 6, 0, 4, 8}, {9, 9, 0, 4, 8}, {9, 9, 1, 4, 8}});
   odd.add("a triangle far in front of the near plane",
@@ -244,17 +241,18 @@ inline std::vector<CullCase> hidden_triangles() {
   odd.add("a triangle on the near plane",
           {StereoPoint{0, 0, 0, 0, 1}, {1, 1, 0, 0, 1}, {0, 0, 1, 0, 1}});
   odd.add("a triangle with two corners above the view and one far below it",
-          {seen_at(pair, 0, 20, 8), seen_at(pair, 1, 20, 8), seen_at(pair, 0, -20, 8)});
+          {seen_at(0.1, 0, 20, 8), seen_at(0.1, 1, 20, 8), seen_at(0.1, 0, -20, 8)});
   glassbox::Random random(9);
   CullCase many{"two hundred triangles", {}, {}};
   for (int i = 0; i < 200; ++i) {
-    const Pair eyes{random.between(0.05, 1), random.between(2, 20)};
+    const double half = random.between(0.05, 1), window = random.between(2, 20);
     const double distance = random.between(-2, 40), x = random.between(-1.5, 1.5) * distance;
     const double y = random.between(-1.2, 1.2) * distance;
     std::array<StereoPoint, 3> triangle;
     for (StereoPoint& each : triangle) {
       const double right = x + random.between(-1, 1), up = y + random.between(-1, 1);
-      each = seen_at(eyes, right, up, distance + random.between(-1, 1));
+      const double at = distance + random.between(-1, 1);
+      each = seen_at(half * (1 - at / window), right, up, at);
     }
     many.add("random", triangle);
   }
@@ -268,12 +266,11 @@ enum class Lenses { kRedCyan, kGreenMagenta, kAmberBlue };
 
 struct AnaglyphCase {
   const char* what;
-  Lenses lenses;
   Anaglyph anaglyph;
 };
 
 inline AnaglyphCase anaglyph_case(const char* what, Lenses lenses, int width, int height) {
-  AnaglyphCase c{what, lenses, {}};
+  AnaglyphCase c{what, {}};
   c.anaglyph.width = width;
   c.anaglyph.height = height;
   if (lenses == Lenses::kGreenMagenta) {

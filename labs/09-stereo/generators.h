@@ -15,20 +15,15 @@ namespace lab_09 {
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
 
-// A length, larger than 0.
-inline double length(Choices& c, int lowest, int highest) {
-  return std::abs(c.real(lowest, highest));
-}
-
 // ---- projections (task 9.1) ----
 
 inline Pair any_pair(Choices& c) {
-  const double window = c.below(6) == 5 ? kInfinity : length(c, -40, 40);
-  return {length(c, -40, 40), window};
+  const double window = c.below(6) == 5 ? kInfinity : c.positive(-40, 40);
+  return {c.positive(-40, 40), window};
 }
 
 inline ProjectionCase any_projection(Choices& c, const Pair& pair) {
-  const double scale = length(c, -6, 6);
+  const double scale = c.positive(-6, 6);
   const double off_middle = c.flag() ? c.real(-10, 2) : 0;
   const double a = c.one_of({-1.25, -1.0, 0.0, 0.25}), b = c.one_of({-1.25, -2.0, 0.1, 5.0});
   const bool parallel = c.flag();
@@ -37,7 +32,7 @@ inline ProjectionCase any_projection(Choices& c, const Pair& pair) {
                                : perspective_matrix(scale, off_middle, a, b),
                       pair};
   // A picture that is not square, with its middle above or below the gaze.
-  made.centre.at(1, 1) = length(c, -6, 6);
+  made.centre.at(1, 1) = c.positive(-6, 6);
   made.centre.at(1, parallel ? 3 : 2) = c.flag() ? c.real(-10, 2) : 0;
   return made;
 }
@@ -54,7 +49,7 @@ inline std::vector<InputClass<ProjectionCase>> generated_projections() {
              return any_projection(c, pair);
            }},
           {"a window at infinity", 2'000, [](Choices& c) {
-             const Pair pair{length(c, -40, 40), kInfinity};
+             const Pair pair{c.positive(-40, 40), kInfinity};
              return any_projection(c, pair);
            }}};
 }
@@ -63,24 +58,24 @@ inline std::vector<InputClass<ProjectionCase>> generated_projections() {
 
 inline ParallaxCase one_parallax(Choices& c, const Pair& pair, double distance) {
   const auto width = int(1 + c.below(20'000));
-  return {"a distance", pair, {length(c, -6, 6), width}, distance};
+  return {"a distance", pair, {c.positive(-6, 6), width}, distance};
 }
 
 inline std::vector<InputClass<ParallaxCase>> generated_distances() {
   return {{"distances of every size", 8'000,
            [](Choices& c) {
-             const Pair pair{length(c, -100, 100), length(c, -300, 300)};
-             return one_parallax(c, pair, length(c, -300, 300));
+             const Pair pair{c.positive(-100, 100), c.positive(-300, 300)};
+             return one_parallax(c, pair, c.positive(-300, 300));
            }},
           {"distances close to the window's, or equal to it", 8'000,
            [](Choices& c) {
-             const Pair pair{length(c, -10, 10), length(c, -300, 300)};
+             const Pair pair{c.positive(-10, 10), c.positive(-300, 300)};
              const double off = c.flag() ? c.real(-52, -2) : 0;
              return one_parallax(c, pair, pair.window * (1 + off));
            }},
           {"no separation, a distance or a window that is infinite", 4'000, [](Choices& c) {
-             Pair pair{length(c, -10, 10), length(c, -300, 300)};
-             double distance = length(c, -300, 300);
+             Pair pair{c.positive(-10, 10), c.positive(-300, 300)};
+             double distance = c.positive(-300, 300);
              const auto which = c.below(4);
              if (which == 0) pair.half_separation = 0;
              if (which == 1 || which == 3) distance = kInfinity;
@@ -119,11 +114,13 @@ inline float any_w(Choices& c) {
   }
 }
 
-// Each coordinate tends to one side for all three corners, so that many triangles are outside.
+// Each coordinate of one kind, or of all, tends to one side for all three corners, so that many
+// triangles are outside. With `outside`, each eye misses the triangle at its left or right side,
+// unless a corner is spared.
 inline CullCase any_triangle(Choices& c, bool outside) {
   CullCase made{"a triangle", {}, {}};
   std::array<StereoPoint, 3> triangle;
-  const auto tends = c.below(5);
+  const std::uint64_t tends = outside ? 4 : c.below(4);
   const bool left_above = c.flag(), right_above = c.flag(), above = c.flag();
   for (StereoPoint& p : triangle) {
     p.w = any_w(c);
@@ -137,8 +134,7 @@ inline CullCase any_triangle(Choices& c, bool outside) {
     if (tends == 2 || tends == 3) p.z = above ? beside_planes(c, p.w, true) : c.near(0.0f);
     if (tends == 2 && c.flag()) p.z = c.one_of({-1.0f, -0.0f, -0x1p-149f, -9.0f}) * p.w;
   }
-  if (outside && tends == 4) {
-    // Each eye misses it, with one plane for all corners but perhaps one of them.
+  if (outside) {
     const auto spared = c.below(4);
     for (std::size_t k = 0; k < 3; ++k) {
       StereoPoint& p = triangle[k];
@@ -199,7 +195,7 @@ inline AnaglyphCase any_anaglyph(Choices& c, float (*depth)(Choices&)) {
 inline std::vector<InputClass<AnaglyphCase>> generated_anaglyphs() {
   return {{"depths of every size from 0 to 1", 6'000,
            [](Choices& c) {
-             return any_anaglyph(c, [](Choices& d) { return float(std::abs(d.real(-149, -1))); });
+             return any_anaglyph(c, [](Choices& d) { return float(d.positive(-149, -1)); });
            }},
           {"depths of a few neighbouring floats", 6'000,
            [](Choices& c) {
@@ -223,7 +219,7 @@ inline double fraction(Choices& c) {
     case 1:
       return double(c.below(256)) / 255;
     case 2:
-      return std::abs(c.real(-60, -1));
+      return c.positive(-60, -1);
     default:
       return double(c.below(std::uint64_t(1) << 53)) * 0x1p-53;
   }
@@ -254,23 +250,23 @@ inline std::vector<InputClass<ColourCase>> generated_colours() {
 // ---- sequences of frames (task 9.6) ----
 
 inline Frame any_frame(Choices& c, double unit) {
-  const double window = c.below(6) == 5 ? kInfinity : unit * length(c, -5, 5);
+  const double window = c.below(6) == 5 ? kInfinity : unit * c.positive(-5, 5);
   const double from = std::isinf(window) || c.flag() ? unit : window;
   // Near to the window, on it, or of any size.
-  const double nearest = c.below(4) == 3 ? from : from * length(c, -4, 3);
+  const double nearest = c.below(4) == 3 ? from : from * c.positive(-4, 3);
   const auto which = c.below(4);
   double farthest = nearest;
-  if (which == 1) farthest = nearest * (1 + length(c, -10, 10));
+  if (which == 1) farthest = nearest * (1 + c.positive(-10, 10));
   if (which == 2) farthest = std::max(nearest, std::isinf(window) ? nearest : window);
   if (which == 3) farthest = kInfinity;
   return {nearest, farthest, window};
 }
 
 inline ComfortCase any_sequence(Choices& c, std::uint64_t longest, double release_frames) {
-  const Picture picture{length(c, -3, 4), int(1 + c.below(8192))};
-  const double front = c.below(4) == 3 ? 0 : length(c, -3, 9);
-  const double behind = c.below(4) == 3 ? 0 : length(c, -3, 9);
-  const double unit = length(c, -30, 30);
+  const Picture picture{c.positive(-3, 4), int(1 + c.below(8192))};
+  const double front = c.below(4) == 3 ? 0 : c.positive(-3, 9);
+  const double behind = c.below(4) == 3 ? 0 : c.positive(-3, 9);
+  const double unit = c.positive(-30, 30);
   ComfortCase made{"frames", picture, {front, behind}, {}, release_frames};
   const auto count = 1 + c.below(longest);
   for (std::uint64_t i = 0; i < count; ++i) made.frames.push_back(any_frame(c, unit));
@@ -278,12 +274,13 @@ inline ComfortCase any_sequence(Choices& c, std::uint64_t longest, double releas
 }
 
 inline std::vector<InputClass<ComfortCase>> generated_sequences() {
-  return {{"frames that do not depend on each other", 2'000,
-           [](Choices& c) { return any_sequence(c, 3, 0); }},
-          {"sequences, whole and broken numbers of frames to release", 4'000, [](Choices& c) {
-             const double release = double(c.below(200)) / 8;
-             return any_sequence(c, 8, release);
-           }}};
+  return {
+      {"frames that do not depend on each other", 2'000,
+       [](Choices& c) { return any_sequence(c, 3, 0); }},
+      {"sequences, with numbers of frames to release that are whole or not", 4'000, [](Choices& c) {
+         const double release = double(c.below(200)) / 8;
+         return any_sequence(c, 8, release);
+       }}};
 }
 
 }  // namespace lab_09

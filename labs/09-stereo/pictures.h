@@ -1,4 +1,4 @@
-// The expected answers for anaglyphs: pictures combined by images/stereo, and colours computed in
+// The expected answers for anaglyphs: pictures of the nearest fragments, and colours computed in
 // decimal numbers of 50 digits.
 #pragma once
 
@@ -11,7 +11,6 @@ Case expect_anaglyph(const lab_09::AnaglyphCase& input);
 Case expect_colour(const lab_09::ColourCase& input);
 
 // Generated inputs.
-Case expect_any_anaglyph(const lab_09::AnaglyphCase& input);
 bool right_anaglyph(const lab_09::AnaglyphCase& input, const Answer& answer);
 bool right_colour(const lab_09::ColourCase& input, const Answer& answer);
 

@@ -40,8 +40,8 @@ struct Picture {
 // Task 9.1. The projection of one eye: first the skew x' = x + s (1 - distance/f), with -s in place
 // of s for the right eye, then the centre camera's projection, clip_from_eye. The centre's
 // projection may be of any kind: with its window off the middle, parallel, with reversed depth. The
-// rows of y, z and w are the centre's, bit for bit. Without separation the whole matrix is the
-// centre's, bit for bit.
+// rows of y, z and w have exactly the centre's numbers, and without separation the whole matrix has
+// them (-0 counts as equal to 0).
 // Error bound of the row of x: 8 u times the largest of |m00 s/f|, |m02|, |m00 s| and |m03|, where
 // m is clip_from_eye.
 Transform<Clip, Eye> eye_projection(const Transform<Clip, Eye>& clip_from_eye, const Pair& pair,
@@ -55,7 +55,8 @@ struct Parallax {
 // Task 9.2. The parallax of a point at this distance: its x in the right eye's picture minus its x
 // in the left one's. The centre's projection is a perspective one. 0 < distance, which may be
 // infinite. Error bound: 16 u |parallax| in pixels, and likewise in per cent, also for points near
-// the window. Finite lengths are between 10^-100 and 10^100, or all of one size up to 10^201.
+// the window. Lengths that are not 0 or infinite are from 10^-100 to 10^100; or half_separation,
+// window and distance are all near 10^200.
 Parallax parallax_at(const Pair& pair, const Picture& picture, double distance);
 
 // A corner in the clip space of both eyes, for which y, z and w are the same. The left eye sees
