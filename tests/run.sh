@@ -294,10 +294,11 @@ run_part() {
   clang++) if have clang++; then run_suites clang "clang++ -O3"; else skip "clang++ -O3 (no clang++)"; fi ;;
   sanitize) run_suites sanitize "sanitizers" ;;
   threads) run_threads ;;
-  # The daily tests run a share of these: one in eight of the labs' faults, and one in three or four
-  # of the cases that need a program of their own.
+  # The daily tests run a share of these: one in eight of the labs' faults, one in 56 of the mutants
+  # of their solutions, and one in three or four of the cases that need a program of their own.
   faults)
     run_long faults all_labs "[.faults]" "all that are planted in the labs" labs/framework
+    run_long faults-mutation all_labs "[.mutation]" "every mutant of the labs' solutions" labs/framework
     run_long faults-drawn lab_drawings "[.faults]" "every lab draws and is measured" labs/drawing
     run_long faults-graded lab_grading "[.faults]" "every hostile kind in every sandbox" labs/grading
     ;;

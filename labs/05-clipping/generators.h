@@ -14,6 +14,9 @@
 #include "labs/framework/choices.h"
 
 namespace lab_05 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
@@ -443,4 +446,5 @@ inline std::vector<InputClass<PairsCase>> generated_pairs() {
           {"a common edge that is cut half-way between two floats (C-38)", 2'000, pair_with_tie}};
 }
 
+}  // namespace inputs
 }  // namespace lab_05

@@ -13,6 +13,9 @@
 #include "labs/framework/choices.h"
 
 namespace lab_08 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
@@ -614,4 +617,5 @@ inline std::vector<InputClass<LevelCase>> generated_levels() {
            }}};
 }
 
+}  // namespace inputs
 }  // namespace lab_08

@@ -13,6 +13,9 @@
 #include "student.h"
 
 namespace lab_09 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -458,4 +461,5 @@ inline std::vector<ComfortCase> hidden_sequences() {
 }
 // END HIDDEN
 
+}  // namespace inputs
 }  // namespace lab_09

@@ -11,6 +11,9 @@
 #include "labs/framework/choices.h"
 
 namespace lab_09 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
@@ -283,4 +286,5 @@ inline std::vector<InputClass<ComfortCase>> generated_sequences() {
        }}};
 }
 
+}  // namespace inputs
 }  // namespace lab_09

@@ -11,6 +11,9 @@
 #include "student.h"
 
 namespace lab_10 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 // The rotation of the quaternion (w, x, y, z), which may have any length.
 inline Matrix turned_by(double w, double x, double y, double z) {
@@ -325,4 +328,5 @@ inline std::vector<RaysCase> hidden_rays() {
 }
 // END HIDDEN
 
+}  // namespace inputs
 }  // namespace lab_10

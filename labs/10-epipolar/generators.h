@@ -12,6 +12,9 @@
 #include "labs/framework/choices.h"
 
 namespace lab_10 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
@@ -318,4 +321,5 @@ inline std::vector<InputClass<RaysCase>> generated_rays() {
            nearly_parallel_rays}};
 }
 
+}  // namespace inputs
 }  // namespace lab_10

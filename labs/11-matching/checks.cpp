@@ -48,8 +48,9 @@ Case expect_square(const SadCase& input) {
     return std::vector{numbers("sums", sums)};
   };
   return {.where = input.what,
-          .restated = fmt::format("pictures of {} x {}, radius {}, at {}", input.left.width,
-                                  input.left.height, input.radius, text_of(input.places)),
+          .restated = fmt::format("pictures of {} x {} (left) and {} x {}, radius {}, at {}",
+                                  input.left.width, input.left.height, input.right.width,
+                                  input.right.height, input.radius, text_of(input.places)),
           .expected = expected({&input.left, &input.right, -1}),
           .slipped = {{"left-right", expected({&input.right, &input.left, -1})},
                       {"disparity-sign", expected({&input.left, &input.right, 1})}}};

@@ -12,6 +12,9 @@
 #include "labs/framework/choices.h"
 
 namespace lab_11 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
@@ -51,8 +54,10 @@ inline Place any_place(Choices& c, int width, int height) {
 inline SadCase one_square(Choices& c, int largest_side, int radius) {
   const int width = 1 + int(c.below(std::uint64_t(largest_side)));
   const int height = 1 + int(c.below(std::uint64_t(largest_side)));
+  // The right picture may be narrower or wider than the left one.
+  const int right_width = c.flag() ? width : 1 + int(c.below(std::uint64_t(largest_side)));
   Picture left = any_picture(c, width, height);
-  Picture right = any_picture(c, width, height);
+  Picture right = any_picture(c, right_width, height);
   return {"a square", std::move(left), std::move(right), radius, {any_place(c, width, height)}};
 }
 
@@ -297,4 +302,5 @@ inline std::vector<InputClass<DepthCase>> generated_depths() {
            }}};
 }
 
+}  // namespace inputs
 }  // namespace lab_11

@@ -33,8 +33,8 @@ constexpr double kNone = INFINITY;  // a pixel without disparity, or without dep
 
 // Task 11.1. The sum of absolute differences |left (x + i, y + j) - right (x + i - d, y + j)| over
 // i, j = -radius .. radius, by at() of both pictures. kNever where the right pixel (x - d, y)
-// itself is not in the picture; the left pixel (x, y) always is. 0 <= radius <= 7, so sums stay
-// below kNever. Exact.
+// itself is not in the right picture, which may be narrower or wider than the left one; the left
+// pixel (x, y) always is in the left one. 0 <= radius <= 7, so sums stay below kNever. Exact.
 int sad(const Picture& left, const Picture& right, int x, int y, int d, int radius);
 
 // Task 11.2. The census word of a pixel (x, y) of the picture: one bit for each of the 24 pixels

@@ -13,6 +13,9 @@
 #include "student.h"
 
 namespace lab_12 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 // ---- samples to pack (task 12.1) ----
 
@@ -337,4 +340,5 @@ inline std::vector<DrawCase> hidden_pictures() {
 }
 // END HIDDEN
 
+}  // namespace inputs
 }  // namespace lab_12

@@ -13,6 +13,9 @@
 #include "labs/framework/choices.h"
 
 namespace lab_13 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
@@ -131,23 +134,32 @@ inline double deviation_of(const std::vector<Colour>& colours) {
   }
   return colours.size() < 2 ? 0 : std::sqrt(squares / (3 * (count - 1)));
 }
-// Whether the deviation is so near to T, or equal to it, that rounding may decide.
-inline bool is_undecided(const JudgeCase& input) {
-  std::vector<Colour> together;
-  double within = 0;
+// The deviation of all pixels that are seen, and the mean of the deviations within each picture.
+struct Deviations {
+  double all = 0, within = 0;
   int views = 0;
+};
+inline Deviations deviations_of(const JudgeCase& input) {
+  std::vector<Colour> together;
+  Deviations found;
   for (const std::vector<Pixel>& picture : input.pictures) {
     std::vector<Colour> seen;
     for (const Pixel& pixel : picture) {
       if (!pixel.is_background && !pixel.is_hidden) seen.push_back(pixel.colour);
     }
-    views += !seen.empty();
-    within += deviation_of(seen);
+    found.views += !seen.empty();
+    found.within += deviation_of(seen);
     together.insert(together.end(), seen.begin(), seen.end());
   }
-  if (views == 0) return false;
-  const double most = input.threshold.k1 * within / views + input.threshold.k2;
-  return std::abs(deviation_of(together) - most) < 0x1p-34;
+  found.within /= std::max(found.views, 1);
+  found.all = deviation_of(together);
+  return found;
+}
+// Whether the deviation is so near to T, or equal to it, that rounding may decide.
+inline bool is_undecided(const JudgeCase& input) {
+  const Deviations found = deviations_of(input);
+  const double most = input.threshold.k1 * found.within + input.threshold.k2;
+  return found.views > 0 && std::abs(found.all - most) < 0x1p-34;
 }
 
 // The colours are whole multiples of a step that is a power of two.
@@ -174,6 +186,18 @@ inline JudgeCase any_judged(Choices& c) {
       made.pictures.back().push_back(any_pixel(c, colour, step, reach));
   }
   if (is_undecided(made)) made.threshold.k2 += step / 64;
+  return made;
+}
+
+// A deviation that is 2^-30 above or below T, of which a part comes from the deviations within the
+// pictures.
+inline JudgeCase beside_threshold(Choices& c) {
+  JudgeCase made = any_judged(c);
+  const Deviations found = deviations_of(made);
+  made.threshold.k1 = double(1 + c.below(8)) / 4;
+  while (made.threshold.k1 * found.within > found.all) made.threshold.k1 /= 2;
+  const double beside = c.flag() ? 0x1p-30 : -0x1p-30;
+  made.threshold.k2 = found.all - made.threshold.k1 * found.within + beside;
   return made;
 }
 
@@ -209,7 +233,8 @@ inline JudgeCase exactly_threshold(Choices& c) {
 
 inline std::vector<InputClass<JudgeCase>> generated_judged() {
   return {{"pictures with background and hidden pixels", 40'000, any_judged},
-          {"a deviation of exactly T, and 2^-36 beside it", 20'000, exactly_threshold}};
+          {"a deviation of exactly T, and 2^-36 beside it", 20'000, exactly_threshold},
+          {"a deviation 2^-30 beside T, which depends on M", 20'000, beside_threshold}};
 }
 
 // ---- footprints (task 13.4) ----
@@ -246,6 +271,40 @@ inline FootprintCase large_footprint(Choices& c) {
   }
   made.voxel = {0, 0, 0};
   if (c.flag()) made.voxel = {int(c.sized(13)), int(c.sized(13)), int(c.sized(13))};
+  return made;
+}
+
+// A small voxel whose centre is exactly on the border of a pixel, or of the picture. Nothing is
+// rounded.
+inline FootprintCase footprint_on_border(Choices& c) {
+  FootprintCase made = parallel_footprint(c);
+  const double w = made.pixel_from_grid[2][3];
+  const double centre[3] = {made.voxel.x + 0.5, made.voxel.y + 0.5, made.voxel.z + 0.5};
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::array<double, 4>& row = made.pixel_from_grid[i];
+    row[3] = double(c.integer(-1, 8)) * w;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto sign = double(c.integer(-1, 1));
+      row[k] = std::ldexp(sign * w, -int(c.integer(1, 4)));
+      row[3] -= row[k] * centre[k];
+    }
+  }
+  return made;
+}
+
+// A voxel so far from the grid's first one that float does not have its number. Nothing is rounded
+// in double.
+inline FootprintCase distant_footprint(Choices& c) {
+  FootprintCase made = parallel_footprint(c);
+  const int x = int(c.sized(30)), y = int(c.sized(30));
+  made.voxel = {x, y, int(c.sized(30))};
+  made.pixel_from_grid[2][3] = 1;
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::array<double, 4>& row = made.pixel_from_grid[i];
+    for (std::size_t k = 0; k < 3; ++k) row[k] = double(c.integer(-2, 2));
+    row[3] = double(c.integer(-1, 8)) -
+             (row[0] * made.voxel.x + row[1] * made.voxel.y + row[2] * made.voxel.z);
+  }
   return made;
 }
 
@@ -331,6 +390,8 @@ inline std::vector<InputClass<FootprintCase>> generated_footprints() {
   return {{"numbers of few digits, with corners on pixel centres", 20'000, parallel_footprint},
           {"turned cameras at every distance (C-87)", 20'000, turned_footprint},
           {"borders near the centre of a pixel in wide pictures", 300, footprint_in_wide_picture},
+          {"small voxels whose centre is on the border of a pixel", 10'000, footprint_on_border},
+          {"voxels whose numbers are too large for float", 5'000, distant_footprint},
           {"voxels larger than every picture", 5'000, large_footprint}};
 }
 
@@ -346,7 +407,9 @@ inline Picture any_picture(Choices& c, int width, int height) {
     for (double& entry : p[i]) entry = double(c.integer(-4, 4)) / 2;
   }
   p[2] = {0, 0, 0, 1};
-  if (!is_parallel) {
+  if (is_parallel) {  // many centres are on the border of a pixel, or beside it
+    for (std::size_t i = 0; i < 2; ++i) p[i][3] += c.one_of({0.0, 0x1p-30, -0x1p-30});
+  } else {
     for (double& entry : p[2]) entry = double(c.integer(-2, 2)) / 2;
   }
   const auto size = std::size_t(width) * std::size_t(height);
@@ -397,4 +460,5 @@ inline std::vector<InputClass<SweepCase>> generated_sweeps() {
           {"coloured voxels in three pictures", 500, flat_sweep}};
 }
 
+}  // namespace inputs
 }  // namespace lab_13

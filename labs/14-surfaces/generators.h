@@ -13,6 +13,9 @@
 #include "labs/framework/choices.h"
 
 namespace lab_14 {
+// A namespace of its own: a function or type of yours in student.cpp may have the name of one of
+// these, and does not replace it.
+inline namespace inputs {
 
 using glassbox::labs::Choices;
 using glassbox::labs::InputClass;
@@ -290,4 +293,5 @@ inline std::vector<InputClass<BandCase>> generated_components() {
       {"pixels in pairs along the vectors, and any number of components", 12'000, pairs_of_pixels}};
 }
 
+}  // namespace inputs
 }  // namespace lab_14

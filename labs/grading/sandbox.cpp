@@ -312,7 +312,8 @@ RunOutcome Sandbox::run_sanitized(const fs::path& program,
   // clang++ use llvm-symbolizer or addr2line, the first one found in PATH.
   const std::vector<std::string> environment{
       "LC_ALL=C", "PATH=/usr/bin:/bin",
-      fmt::format("ASAN_OPTIONS=detect_leaks=0:hard_rss_limit_mb={}:color=never:allow_addr2line=1",
+      fmt::format("ASAN_OPTIONS=detect_leaks=0:handle_abort=1:hard_rss_limit_mb={}:color=never:"
+                  "allow_addr2line=1",
                   limits.memory_bytes / kMiB),
       "UBSAN_OPTIONS=print_stacktrace=1:color=never:allow_addr2line=1"};
   return launch_confined(command, "/", false, {program}, environment, own);

@@ -32,6 +32,10 @@ std::string kind_of(const std::string& line) {
     const std::string rest = line.substr(at + mark.size());
     return mark[0] == 'A' ? rest.substr(0, rest.find(' ')) : rest;
   }
+  static const std::regex assertion("Assertion ('.*') failed");
+  std::smatch found;
+  if (std::regex_search(line, found, assertion))
+    return fmt::format("the standard library's assertion {} failed", found[1].str());
   return line.find("rss limit exhausted") != std::string::npos
              ? "the program used more memory than is allowed"
              : "";

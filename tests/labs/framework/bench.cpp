@@ -2,6 +2,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "cli/process/process.h"
@@ -87,16 +91,41 @@ BenchProgram Bench::linked(const fs::path& object, bool hidden) {
 }
 
 BenchProgram Bench::program(const std::string& student, bool hidden) {
-  fs::path& object = objects_[student];
-  if (object.empty()) {
-    object = folder_ / fmt::format("student-{}.o", objects_.size());
+  const auto made = try_program(student, hidden);
+  INFO((made ? "" : made.error().message()));
+  REQUIRE(made);
+  return *made;
+}
+
+Result<BenchProgram> Bench::try_program(const std::string& student, bool hidden) {
+  if (objects_.count(student) == 0) {
+    const fs::path object = folder_ / fmt::format("student-{}.o", objects_.size());
     const fs::path source = folder_ / "student.cpp";
     REQUIRE(write_if_changed(source, student));
     const auto compiled = grading::compile_lab_file(kit_.compiler, source, {kit_.include}, object);
-    INFO((compiled ? "" : compiled.error().message()));
-    REQUIRE(compiled);
+    if (!compiled) return tl::unexpected(compiled.error());
+    objects_[student] = object;
   }
-  return linked(object, hidden);
+  return linked(objects_.at(student), hidden);
+}
+
+const Check* Bench::first_wrong(Runner& runner, const BenchProgram& program,
+                                const std::string& task) const {
+  std::vector<std::size_t> order(cases_.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto is_other = [&](std::size_t i) { return lab_.checks[i].task != task; };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(lab_.checks[a].generated, is_other(a)) <
+           std::pair(lab_.checks[b].generated, is_other(b));
+  });
+  for (const std::size_t i : order) {
+    const Check& check = lab_.checks[i];
+    RunLimits limits;
+    limits.seconds = 600;
+    const auto answers = run_check(runner, program.path, check.name, cases_[i].size(), limits);
+    if (judge_check(check, cases_[i], answers, 1).right < cases_[i].size()) return &check;
+  }
+  return nullptr;
 }
 
 BenchProgram Bench::starter(bool hidden) {

@@ -37,6 +37,8 @@ public:
   const std::string& solution() const { return solution_; }
 
   BenchProgram program(const std::string& student, bool hidden = true);
+  // The same, but text that does not compile is an error with the compiler's messages.
+  Result<BenchProgram> try_program(const std::string& student, bool hidden = true);
   // Returns the lab's starter, which the kit contains compiled.
   BenchProgram starter(bool hidden);
 
@@ -44,6 +46,10 @@ public:
     return check(program, cases_, inputs);
   }
   LabResult check(const std::string& student) { return check(program(student)); }
+  // The first check that is not right: of `task` first, and of generated inputs last. Null if all
+  // are right.
+  const Check* first_wrong(Runner& runner, const BenchProgram& program,
+                           const std::string& task) const;
   // Checks with cases that are computed again, because they depend on a seed.
   LabResult check_with_new_cases(const BenchProgram& program, Inputs inputs) const;
 

@@ -137,7 +137,7 @@ std::string class_of(const std::string& name, const std::vector<Member>& members
 
 // Returns a class with only the functions that differ from the solution, or with all members if
 // something else differs.
-std::string class_with_fault(const std::string& name, const std::vector<Member>& solution,
+std::string class_of_variant(const std::string& name, const std::vector<Member>& solution,
                              const std::vector<Member>& faulty) {
   std::string overridden, names;
   bool functions = solution.size() == faulty.size();
@@ -183,8 +183,8 @@ std::string with_fault(const std::string& solution, const Fault& fault) {
 
 // The chosen object lives until the program ends. Smart pointers and destructors for a hundred
 // classes would take a third of the compilation time.
-std::string solution_with_all_faults(const std::string& header, const std::string& solution,
-                                     const std::vector<Fault>& faults) {
+std::string solution_with_variants(const std::string& header, const std::string& solution,
+                                   const std::vector<Variant>& variants) {
   std::string includes, classes, chosen, calls, virtuals;
   const std::regex include("(^|\n)(#include [^\n]*)");
   for (std::sregex_iterator at(solution.begin(), solution.end(), include), end; at != end; ++at)
@@ -196,15 +196,14 @@ std::string solution_with_all_faults(const std::string& header, const std::strin
   }
   REQUIRE_FALSE(virtuals.empty());
   const std::vector<Member> right = all_members(solution);
-  for (std::size_t i = 0; i <= faults.size(); ++i) {
+  for (std::size_t i = 0; i <= variants.size(); ++i) {
     const std::string name = i == 0 ? "Solution" : fmt::format("Planted{}", i);
     if (i == 0) {
       classes += class_of(name, right);
     } else {
-      const Fault& fault = faults[i - 1];
-      classes +=
-          fmt::format("// {}\n{}", fault.name,
-                      class_with_fault(name, right, all_members(with_fault(solution, fault))));
+      const Variant& variant = variants[i - 1];
+      classes += fmt::format("// {}\n{}", variant.name,
+                             class_of_variant(name, right, all_members(variant.source)));
     }
     chosen += fmt::format("    case {}: return new {};\n", i, name);
   }
@@ -230,6 +229,13 @@ Student& chosen() {{
 )",
       includes, solution.substr(open, solution.find('\n', open) - open), virtuals, classes, chosen,
       kPlanted, calls);
+}
+
+std::string solution_with_all_faults(const std::string& header, const std::string& solution,
+                                     const std::vector<Fault>& faults) {
+  std::vector<Variant> variants;
+  for (const Fault& fault : faults) variants.push_back({fault.name, with_fault(solution, fault)});
+  return solution_with_variants(header, solution, variants);
 }
 
 }  // namespace glassbox::labs

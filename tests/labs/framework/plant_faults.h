@@ -25,11 +25,19 @@ std::vector<Fault> faults_of(const Sources& sources, const Lab& lab);
 
 std::string with_fault(const std::string& solution, const Fault& fault);
 
-// Returns one student.cpp with all faults, which needs only one compilation. The solution is a
-// class with the functions of student.h, each fault is a class that overrides what it changes, and
-// the environment variable kPlanted is the number of the class to call; 0 or unset means the
-// solution.
+// The whole of a solution with a change, and a line that describes the change.
+struct Variant {
+  std::string name;
+  std::string source;
+};
+
+// Returns one student.cpp with all variants, which needs only one compilation. The solution is a
+// class with the functions of student.h, each variant is a class that overrides what it changes,
+// and the environment variable kPlanted is the number of the class to call, counted from 1; 0 or
+// unset means the solution. The class of variant N begins with a line "struct PlantedN :".
 inline constexpr const char* kPlanted = "GLASSBOX_PLANTED";
+std::string solution_with_variants(const std::string& header, const std::string& solution,
+                                   const std::vector<Variant>& variants);
 std::string solution_with_all_faults(const std::string& header, const std::string& solution,
                                      const std::vector<Fault>& faults);
 

@@ -20,6 +20,14 @@ TEST_CASE("a sanitizer's report is told in one line, whichever compiler's it is"
                           "(int) /b/student.cpp:3:4\n") == "a sum, student.cpp:3, in lab_05::g");
   CHECK(sanitizer_finding("x: runtime error: a sum\n    #0 0x5 in f() not_student.cpp:3:4\n") ==
         "a sum");
+  const char* const assertion =
+      "/usr/include/c++/12/array:208: double& f(): Assertion '__n < this->size()' failed.\n"
+      "==7==ERROR: AddressSanitizer: ABRT on unknown address 0x7 (pc 0x7f4 T0)\n"
+      "    #0 0x7f4 in raise raise.c:26\n"
+      "    #1 0x55d in lab_05::f(int) student.cpp:18:3\n";
+  CHECK(sanitizer_finding(assertion) ==
+        "the standard library's assertion '__n < this->size()' failed, student.cpp:18, in "
+        "lab_05::f");
   CHECK_FALSE(sanitizer_finding("hello\n"));
 }
 
