@@ -17,6 +17,10 @@
 
 namespace lab_01 {
 
+// The types of <glassbox/base/spaces.h>, which comes with glassbox; this is all that you need:
+//   Point<Object>           p.x, p.y, p.z, floats; p - q is a Vector, p + v a Point
+//   Vector<Object, double>  v.x, v.y, v.z; v + w, v - w, -v, v * number; dot(v, w), cross(v, w);
+//                           Vector<Object> has floats
 using glassbox::Mesh;
 using glassbox::Object;
 using glassbox::Point;

@@ -14,6 +14,10 @@
 
 namespace lab_04 {
 
+// The types of <glassbox/base/spaces.h>, which comes with glassbox; this is all that you need:
+//   Point<Space, double>  p.x, p.y, p.z, and p.w too if Space is Clip
+//   Projection            a 4 x 4 matrix of doubles, at first the identity: m.at(row, column),
+//                         counted from 0
 using glassbox::Clip;
 using glassbox::Eye;
 using glassbox::Ndc;

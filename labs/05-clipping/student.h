@@ -15,6 +15,9 @@
 
 namespace lab_05 {
 
+// The types of <glassbox/base/spaces.h>, which comes with glassbox; this is all that you need:
+//   Point<World>  p.x, p.y, p.z, floats; p - q is a Vector<World>
+//   Point<Clip>   p.x, p.y, p.z, p.w, floats; Point<Clip>(x, y, z, w)
 using glassbox::Clip;
 using glassbox::Point;
 using glassbox::World;

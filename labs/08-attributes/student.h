@@ -15,6 +15,9 @@
 
 namespace lab_08 {
 
+// The types of <glassbox/base/spaces.h>, which comes with glassbox; this is all that you need:
+//   Point<Object, double>   p.x, p.y, p.z; p - q is a Vector, p + v a Point
+//   Vector<Object, double>  v.x, v.y, v.z; v + w, v - w, -v, v * number; dot(v, w), cross(v, w)
 using glassbox::Object;
 using glassbox::Point;
 using glassbox::Vector;

@@ -14,6 +14,13 @@
 
 namespace lab_09 {
 
+// The types of <glassbox/base/spaces.h> and <glassbox/images/image.h>, which come with glassbox;
+// this is all that you need:
+//   Transform<Target, Source>  a 4 x 4 matrix of doubles, at first the identity: m.at(row, column),
+//                              counted from 0
+//   Image<Rgba8>               image.width, image.height; image.at(x, y), from the top left;
+//                              Image<Rgba8>(width, height, colour) has one colour everywhere
+//   Rgba8                      c.r, c.g, c.b, c.a: 0 to 255
 using glassbox::Clip;
 using glassbox::Eye;
 using glassbox::Image;

@@ -14,6 +14,14 @@
 
 namespace lab_12 {
 
+// The types of <glassbox/base/spaces.h> and <glassbox/images/image.h>, which come with glassbox;
+// this is all that you need:
+//   Transform<Target, Source>  a 4 x 4 matrix of doubles, at first the identity: m.at(row, column),
+//                              counted from 0; a * b: a Transform<C, B> times a
+//                              Transform<B, A> is a Transform<C, A>
+//   Image<Rgba8>               image.width, image.height; image.at(x, y), from the top left;
+//                              Image<Rgba8>(width, height, colour) has one colour everywhere
+//   Rgba8                      c.r, c.g, c.b, c.a: 0 to 255
 using glassbox::Image;
 using glassbox::Rgba8;
 using glassbox::Screen;

@@ -17,14 +17,9 @@ std::string replaced(const std::string& text, const std::string& what, const std
   return std::regex_replace(text, std::regex(what), by);
 }
 
-// A function declared in student.h.
-struct Function {
-  std::string declaration;  // "bool owns_edge(const SnappedVertex& a, const SnappedVertex& b)"
-  std::string name;         // "owns_edge"
-  std::string arguments;    // "a, b"
-};
+}  // namespace
 
-// Returns the declared functions. Declarations begin in the first column and have no braces.
+// Declarations begin in the first column and have no braces.
 std::vector<Function> functions_of(const std::string& header) {
   const std::string code = replaced(header, "//[^\n]*", "");
   const std::regex declared(R"(\n([A-Za-z][\w:<>, ]*?[ >&](\w+)\(([^{};]*)\));)");
@@ -46,6 +41,8 @@ std::vector<Function> functions_of(const std::string& header) {
   }
   return functions;
 }
+
+namespace {
 
 // Returns the contents of the lab's namespace as members of a class: `static` and unnamed
 // namespaces are removed, because a class cannot have them with this meaning.

@@ -25,6 +25,16 @@ std::vector<Fault> faults_of(const Sources& sources, const Lab& lab);
 
 std::string with_fault(const std::string& solution, const Fault& fault);
 
+// A function declared in student.h.
+struct Function {
+  std::string declaration;  // "bool owns_edge(const SnappedVertex& a, const SnappedVertex& b)"
+  std::string name;         // "owns_edge"
+  std::string arguments;    // "a, b"
+};
+
+// Returns the functions that student.h declares, without those that it defines.
+std::vector<Function> functions_of(const std::string& header);
+
 // The whole of a solution with a change, and a line that describes the change.
 struct Variant {
   std::string name;
