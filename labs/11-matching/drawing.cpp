@@ -318,7 +318,10 @@ private:
 Rgba8 shade_of(double depth, const Pair& pair) {
   if (!std::isfinite(depth)) return {30, 40, 90, 255};
   const double d = pair.calibration.focal * pair.calibration.baseline / depth;
-  const auto code = std::uint8_t(std::floor(std::clamp(255 * d / pair.disparities, 0.0, 255.0)));
+  // A whole code, which a whole disparity often has, may be rounded to a number just below it.
+  constexpr double kBeside = 1e-9;
+  const double code_of_d = 255 * d / pair.disparities + kBeside;
+  const auto code = std::uint8_t(std::floor(std::clamp(code_of_d, 0.0, 255.0)));
   return {code, code, code, 255};
 }
 
