@@ -202,8 +202,8 @@ bool right_newell(const PolygonCase& input, const Answer& answer) {
 }
 
 // The components of the cross product and the dot product are exact in double, so only the square,
-// the root and the arctangent round; in long double, which has 11 binary digits more on most processors,
-// their errors do not matter.
+// the root and the arctangent round; in long double, which has 11 binary digits more on most
+// processors, their errors do not matter.
 std::vector<Expected> angle_of(const AngleCase& input) {
   using Long = long double;
   const Vector<Object, double> across = cross(input.a, input.b);

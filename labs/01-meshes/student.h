@@ -59,8 +59,8 @@ struct EdgeTable {
 
 // Task 1.2. The edges of a mesh. A face passes along an edge from each corner to the next and from
 // the last corner to the first. A position that the next corner of the face repeats counts once. A
-// face with no corners, or with fewer than three different positions takes no part: it has no edges and is not counted
-// in F. V counts the positions of the faces that take part.
+// face with no corners, or with fewer than three different positions takes no part: it has no edges
+// and is not counted in F. V counts the positions of the faces that take part.
 EdgeTable find_edges(const Mesh& mesh);
 
 // Task 1.3. Which faces must be turned round (their corners reversed) so that every edge of two

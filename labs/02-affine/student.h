@@ -82,11 +82,11 @@ struct AxisAngle {
 };
 
 // Task 2.4. The axis and the angle of a rotation whose entries are correct up to one rounding. Its
-// angle is 0 or at least 10^-6, and half a turn or at least 5 * 10^-8 less. For the identity the axis is z. At exactly half a turn, where the
-// matrix is symmetric and both directions of the axis are right, choose the one whose first
-// component that is not zero is positive.
-// Error bound of the axis: 32 u in each component. The relative error of the angle is at most 32 u,
-// for small angles too.
+// angle is 0 or at least 10^-6, and half a turn or at least 5 * 10^-8 less. For the identity the
+// axis is z. At exactly half a turn, where the matrix is symmetric and both directions of the axis
+// are right, choose the one whose first component that is not zero is positive. Error bound of the
+// axis: 32 u in each component. The relative error of the angle is at most 32 u, for small angles
+// too.
 AxisAngle axis_angle_of(const Transform<World, World>& rotation);
 
 // Task 2.5. A rotation Q near a matrix R that should be a rotation, but has drifted away by

@@ -43,9 +43,9 @@ Projection perspective(double fovy_radians, double aspect, double near, double f
 
 // A parallel view. The box left <= x <= right, bottom <= y <= top, near <= distance <= far of eye
 // space becomes the canonical volume, and w is 1. left < right, bottom < top, near < far, all
-// finite; near may be negative. These numbers are at most 2^302 in size, and the two ends of a range
-// differ by at least 2^-300. Error bound of each entry: 16 u times its size, so entries that are 0
-// are exact.
+// finite; near may be negative. These numbers are at most 2^302 in size, and the two ends of a
+// range differ by at least 2^-300. Error bound of each entry: 16 u times its size, so entries that
+// are 0 are exact.
 Projection orthographic(double left, double right, double bottom, double top, double near,
                         double far);
 
@@ -59,8 +59,8 @@ enum class Dialect {
 };
 
 // The matrix that does in the dialect what `m` does in the conventions of this lab. `m` is any
-// projection: any of its 16 entries may differ from 0; they are below 2^1000 in size. Error bound of
-// each entry: 4 u times its size, so entries that are 0 are exact.
+// projection: any of its 16 entries may differ from 0; they are below 2^1000 in size. Error bound
+// of each entry: 4 u times its size, so entries that are 0 are exact.
 Projection in_dialect(const Projection& m, Dialect dialect);
 
 // ---- 4.4 ----
@@ -68,7 +68,8 @@ Projection in_dialect(const Projection& m, Dialect dialect);
 // Clip space to NDC. Returns std::nullopt where w <= 0 (the point is at the eye or behind it and
 // cannot be seen) and where w is NaN. w may be any other finite number, down to 2^-1074, the
 // smallest double; x, y, z and their quotients are finite, too. Points with w = 1 keep their bits.
-// Error bound of each coordinate: 4 u times its size, plus 2^-1074, the step of the smallest doubles.
+// Error bound of each coordinate: 4 u times its size, plus 2^-1074, the step of the smallest
+// doubles.
 std::optional<Point<Ndc, double>> divide(const Point<Clip, double>& p);
 
 // ---- 4.5 ----

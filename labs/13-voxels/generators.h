@@ -151,9 +151,9 @@ inline JudgeCase any_judged(Choices& c) {
   return made;
 }
 
-// A deviation 2^-30 above or below T, which depends on M. In each of two pictures there is black and
-// the colour m (2, 2, 4), which have the deviation 2 m (see below), and all four pixels together
-// have the deviation sqrt(8/3) m.
+// A deviation 2^-30 above or below T, which depends on M. In each of two pictures there is black
+// and the colour m (2, 2, 4), which have the deviation 2 m (see below), and all four pixels
+// together have the deviation sqrt(8/3) m.
 inline JudgeCase beside_threshold(Choices& c) {
   const double m = c.positive(0, 4), k1 = double(c.below(7)) / 8;
   JudgeCase made{"a voxel", {}, {k1, std::sqrt(8.0 / 3) * m - k1 * 2 * m}};

@@ -25,8 +25,8 @@ bool is_taken_before(const std::filesystem::path& a, const std::filesystem::path
 // Other names stay as they are. The endings are those of is_archive() in archive.h.
 std::string archive_stem(const std::filesystem::path& file);
 
-// The same as is_taken_before() for archives, which may have any name: in the fewest folders, without a number, with the
-// highest number, and at last by the bytes of the path.
+// The same as is_taken_before() for archives, which may have any name: in the fewest folders,
+// without a number, with the highest number, and at last by the bytes of the path.
 bool is_archive_taken_before(const std::filesystem::path& a, const std::filesystem::path& b);
 
 // Whether a path in a submission was made by an operating system or an editor: a part of it begins

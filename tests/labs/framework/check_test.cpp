@@ -115,9 +115,11 @@ TEST_CASE("lab check --sanitize names the line of the student's file") {
           std::string::npos);
   };
   line_is(
-      "std::vector<double> v(3); volatile std::size_t i = 3; v[i] = 1; static volatile double x; x "
-      "= v[i];",
+      "std::vector<double> v(3); volatile std::size_t i = 3; v.data()[i] = 1; static volatile "
+      "double x; x = v.data()[i];",
       "heap-buffer-overflow");
+  line_is("std::vector<double> v(3); v.reserve(9); volatile std::size_t i = 3; v[i] = 1;",
+          "the standard library's assertion");
   line_is("volatile int big = 2147483647; big = big + 1;", "signed integer overflow");
   // clang++ takes a null pointer that it knows for granted; this one it must load.
   line_is("int* volatile none = nullptr; *none = 1;", "null pointer");

@@ -1,7 +1,7 @@
 // Mutation testing of the labs: each solution is changed by operators (mutate.h), and a check must
 // find every change, unless equivalent_mutants.json says why the changed program does the same.
-// Every run tries a share of the mutants of two labs; "[.mutation]" tries all of them and prints the
-// table of docs/grading.md (./glassbox test mutation).
+// Every run tries a share of the mutants of two labs; "[.mutation]" tries all of them and prints
+// the table of docs/grading.md (./glassbox test faults).
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
