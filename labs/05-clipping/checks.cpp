@@ -52,22 +52,24 @@ std::string plane_names(std::uint32_t code) {
   return text.empty() ? "none" : text;
 }
 
-// The outcode by the inequalities of student.h; or with OpenGL's near plane, z >= -w, which is a
-// typical mistake.
-std::uint32_t outcode_by(const Point<Clip>& p, bool opengl) {
-  const bool inside[] = {
-      p.z >= (opengl ? -p.w : 0), p.z <= p.w, p.x >= -p.w, p.x <= p.w, p.y >= -p.w, p.y <= p.w};
+enum class NearPlane { kRight, kOpengl, kNone };
+
+// The outcode by the inequalities of student.h; or, which are typical mistakes, with OpenGL's near
+// plane, z >= -w, or without any.
+std::uint32_t outcode_by(const Point<Clip>& p, NearPlane near) {
+  const bool inside[] = {near == NearPlane::kNone || p.z >= (near == NearPlane::kOpengl ? -p.w : 0),
+                         p.z <= p.w,
+                         p.x >= -p.w,
+                         p.x <= p.w,
+                         p.y >= -p.w,
+                         p.y <= p.w};
   std::uint32_t code = 0;
   for (std::uint32_t i = 0; i < 6; ++i) code |= std::uint32_t(!inside[i]) << i;
   return code;
 }
 
-Expected outcode_of(const Point<Clip>& p) {
-  return numbers("outcode", {double(outcode_by(p, false))});
-}
-
-Expected opengl_outcode_of(const Point<Clip>& p) {
-  return numbers("outcode", {double(outcode_by(p, true))});
+Expected outcode_of(const Point<Clip>& p, NearPlane near = NearPlane::kRight) {
+  return numbers("outcode", {double(outcode_by(p, near))});
 }
 
 Case expect_outcode(const Point<Clip>& p) {
@@ -88,7 +90,8 @@ Case expect_outcode(const Point<Clip>& p) {
       .slipped = {{"z-sign", {outcode_of({p.x, p.y, -p.z, p.w})}},
                   {"y-direction", {outcode_of({p.x, -p.y, p.z, p.w})}},
                   {"handedness", {outcode_of({-p.x, p.y, p.z, p.w})}},
-                  {"opengl-depth", {opengl_outcode_of(p)}}}};
+                  {"opengl-depth", {outcode_of(p, NearPlane::kOpengl)}},
+                  {"no-near-plane", {outcode_of(p, NearPlane::kNone)}}}};
 }
 
 Case expect_verdict(const std::vector<std::uint32_t>& codes) {
@@ -127,7 +130,7 @@ bool right_face(const lab_05::FaceCase& questions, const Answer& answer) {
 }
 
 bool right_outcode(const Point<Clip>& p, const Answer& answer) {
-  return has_numbers(answer, "outcode", {double(outcode_by(p, false))});
+  return has_numbers(answer, "outcode", {double(outcode_by(p, NearPlane::kRight))});
 }
 
 bool right_verdict(const std::vector<std::uint32_t>& codes, const Answer& answer) {

@@ -299,7 +299,8 @@ Case expect_polygon(const lab_05::PlaneCase& input) {
 
 Case expect_triangle(const lab_05::FrustumCase& input) {
   Case c = expect_outline(input.what, "", input.triangle, pipeline_frustum());
-  c.slipped = {{"opengl-depth", {exact_clip(input.triangle, opengl_frustum()).expected}}};
+  c.slipped = {{"opengl-depth", {exact_clip(input.triangle, opengl_frustum()).expected}},
+               {"no-near-plane", {exact_clip(input.triangle, frustum_without_near()).expected}}};
   return c;
 }
 
@@ -307,9 +308,21 @@ Case expect_pairs(const lab_05::PairsCase& pairs) {
   std::string text;
   for (std::size_t i = 0; i < pairs.size(); ++i)
     text += fmt::format("{}edge {}:\n{}", i == 0 ? "" : "\n", i, restated(pairs[i].shared));
+  const auto clipped_by = [&](const std::vector<ClipPlane>& planes) {
+    std::vector<Expected> polygons;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      polygons.push_back(exact_clip(pairs[i].first(), planes).expected);
+      polygons.back().field = fmt::format("first {}", i);
+      polygons.push_back(exact_clip(pairs[i].second(), planes).expected);
+      polygons.back().field = fmt::format("second {}", i);
+    }
+    return polygons;
+  };
   return {.where = fmt::format("{} pairs of triangles", pairs.size()),
           .restated = text,
-          .judge = [pairs](const Answer& answer) { return compare_shared_edges(pairs, answer); }};
+          .judge = [pairs](const Answer& answer) { return compare_shared_edges(pairs, answer); },
+          .slipped = {{"opengl-depth", clipped_by(opengl_frustum())},
+                      {"no-near-plane", clipped_by(frustum_without_near())}}};
 }
 
 Case expect_fan(const int& count) {

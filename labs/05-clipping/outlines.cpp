@@ -128,6 +128,12 @@ std::vector<ClipPlane> opengl_frustum() {
   return planes;
 }
 
+std::vector<ClipPlane> frustum_without_near() {
+  std::vector<ClipPlane> planes = pipeline_frustum();
+  planes.erase(planes.begin());
+  return planes;
+}
+
 std::string restated(std::span<const Point<Clip>> polygon) {
   std::string text;
   double twice_area = 0;
@@ -355,6 +361,9 @@ std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
     const auto two = outline_of(field_of(answer, fmt::format("second {}", i)));
     for (const ClipVertex& end : *left) {
       const auto at_one = nearest(one, end.position), at_two = nearest(two, end.position);
+      const auto there = [&](const std::optional<Point<Clip>>& vertex) {
+        return vertex && vertex_distance(*vertex, end.position) <= bound;
+      };
       Divergence found{
           .kind = Divergence::Kind::kPosition,
           .field = fmt::format("second {}", i),
@@ -362,12 +371,20 @@ std::optional<Divergence> compare_shared_edges(const lab_05::PairsCase& pairs,
           .unit = "clip units",
           .explanation = fmt::format("the shared edge ends at ({}, {}, {}, {})", end.position.x,
                                      end.position.y, end.position.z, end.position.w)};
-      if (!at_one || !at_two || !(vertex_distance(*at_one, end.position) <= bound) ||
-          !(vertex_distance(*at_two, end.position) <= bound)) {
+      if (!there(at_one) || !there(at_two)) {
+        const bool is_second = there(at_one);
+        const auto& vertex = is_second ? at_two : at_one;
         found.kind = Divergence::Kind::kMissing;
+        found.field = fmt::format("{} {}", is_second ? "second" : "first", i);
+        found.element += ", x of its end";
+        found.expected = end.position.x;
+        found.actual = std::numeric_limits<double>::quiet_NaN();
         found.bound = bound;
         found.distance = std::numeric_limits<double>::infinity();
-        found.explanation += ": one of the polygons has no vertex there";
+        found.explanation +=
+            vertex ? fmt::format(", but this polygon's nearest vertex is ({}, {}, {}, {})",
+                                 vertex->x, vertex->y, vertex->z, vertex->w)
+                   : ", but this polygon is empty";
         return found;
       }
       if (*at_one == *at_two) continue;

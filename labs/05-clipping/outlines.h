@@ -21,6 +21,9 @@ std::vector<glassbox::ClipPlane> pipeline_frustum();
 // The frustum's planes with OpenGL's near plane, z >= -w.
 std::vector<glassbox::ClipPlane> opengl_frustum();
 
+// The frustum's planes without the near plane, a typical mistake.
+std::vector<glassbox::ClipPlane> frustum_without_near();
+
 // Describes a polygon of clip space in NDC and on a screen of 640 x 480 pixels, with its winding if
 // it has one.
 std::string restated(std::span<const Point<Clip>> polygon);

@@ -1,5 +1,6 @@
 // The expected answers of lab 6, computed by the program's snap, triangle set-up and fans, and by
 // the exact oracle of coverage.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -11,6 +12,7 @@
 
 #include "exact/coverage.h"
 #include "labs/06-rasterisation/generators.h"
+#include "labs/06-rasterisation/words.h"
 #include "labs/framework/compare.h"
 #include "labs/framework/lab.h"
 
@@ -19,18 +21,6 @@ namespace glassbox::labs {
 namespace {
 
 using namespace lab_06;
-
-std::string text_of(const SnappedVertex& v) {
-  return fmt::format("({}, {})", v.x / 256.0, v.y / 256.0);
-}
-
-std::string text_of(const Triangle& t) {
-  const std::int64_t area = double_area(t[0], t[1], t[2]);
-  return fmt::format("{} {} {} px, {}", text_of(t[0]), text_of(t[1]), text_of(t[2]),
-                     area > 0   ? "clockwise on the screen"
-                     : area < 0 ? "counter-clockwise on the screen"
-                                : "without area");
-}
 
 // A case in which the results for many inputs are the `values` of one field; they are not
 // coordinates of points.
@@ -58,14 +48,83 @@ Case expect_snap(const SnapCase& input) {
   return c;
 }
 
+// ---- edge functions with a slip ----
+
+// The edge function as a way of computing it gives it; a double has room for every result.
+using Edge = double (*)(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& p);
+
+double exact_edge(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& p) {
+  return double(double_area(a, b, p));
+}
+
+double float_product(std::int32_t x, std::int32_t y) {
+  return float(x) * float(y);
+}
+
+double edge_in_float(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& p) {
+  return float(float_product(b.x - a.x, p.y - a.y) - float_product(b.y - a.y, p.x - a.x));
+}
+
+// In float on a machine that keeps one of the two products exact (fused multiply-add).
+double edge_by_first_fused(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& p) {
+  const auto second = float(float_product(b.y - a.y, p.x - a.x));
+  return std::fma(float(b.x - a.x), float(p.y - a.y), -second);
+}
+double edge_by_second_fused(const SnappedVertex& a, const SnappedVertex& b,
+                            const SnappedVertex& p) {
+  const auto first = float(float_product(b.x - a.x, p.y - a.y));
+  return std::fma(-float(b.y - a.y), float(p.x - a.x), first);
+}
+
+double edge_rounded_to_float(const SnappedVertex& a, const SnappedVertex& b,
+                             const SnappedVertex& p) {
+  return float(double_area(a, b, p));
+}
+
+// What is left of a number in 32 bits.
+std::int64_t narrow(std::int64_t number) {
+  return std::int32_t(std::uint32_t(std::uint64_t(number)));
+}
+
+double edge_in_32_bits(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& p) {
+  return double(narrow(double_area(a, b, p)));
+}
+
+// The products of the edge function, of which some are computed in 32 bits; their difference is
+// exact.
+template <bool kFirst, bool kSecond>
+double edge_by_narrow_products(const SnappedVertex& a, const SnappedVertex& b,
+                               const SnappedVertex& p) {
+  const std::int64_t first = std::int64_t(b.x - a.x) * (p.y - a.y);
+  const std::int64_t second = std::int64_t(b.y - a.y) * (p.x - a.x);
+  return double((kFirst ? narrow(first) : first) - (kSecond ? narrow(second) : second));
+}
+
+struct SlippedEdge {
+  const char* slip;
+  Edge edge;
+};
+
+constexpr SlippedEdge kSlippedEdges[] = {{"edge-in-float", edge_in_float},
+                                         {"edge-in-float", edge_by_first_fused},
+                                         {"edge-in-float", edge_by_second_fused},
+                                         {"edge-in-float", edge_rounded_to_float},
+                                         {"edge-in-32-bits", edge_in_32_bits},
+                                         {"edge-in-32-bits", edge_by_narrow_products<true, true>},
+                                         {"edge-in-32-bits", edge_by_narrow_products<true, false>},
+                                         {"edge-in-32-bits", edge_by_narrow_products<false, true>}};
+
 // ---- coverage with a slip ----
 
-// A rule of coverage: where in a pixel the sample point is, and which edges a clockwise triangle
-// owns.
+// A rule of coverage: where in a pixel the sample point is, which edges a clockwise triangle owns,
+// and how the edge functions are computed.
 struct Rule {
   const char* slip;
   std::int32_t centre;
   bool (*owns)(const SnappedVertex& a, const SnappedVertex& b);
+  Edge edge = exact_edge;
+  // Whether the winding is found by `edge`, too, and not exactly.
+  bool winding_by_edge = false;
 };
 
 bool top_left(const SnappedVertex& a, const SnappedVertex& b) {
@@ -74,6 +133,9 @@ bool top_left(const SnappedVertex& a, const SnappedVertex& b) {
 bool bottom_left(const SnappedVertex& a, const SnappedVertex& b) {
   return b.y < a.y || (b.y == a.y && b.x < a.x);
 }
+bool bottom_right(const SnappedVertex& a, const SnappedVertex& b) {
+  return !top_left(a, b);
+}
 bool all_edges(const SnappedVertex&, const SnappedVertex&) {
   return true;
 }
@@ -81,15 +143,20 @@ bool all_edges(const SnappedVertex&, const SnappedVertex&) {
 constexpr Rule kRule{"", kCentre, top_left};
 constexpr Rule kSlippedRules[] = {{"half-pixel", 0, top_left},
                                   {"y-direction", kCentre, bottom_left},
+                                  {"ownership", kCentre, bottom_right},
                                   {"all-edges", kCentre, all_edges}};
+
+bool is_clockwise(const Rule& rule, const Triangle& t) {
+  return (rule.winding_by_edge ? rule.edge : exact_edge)(t[0], t[1], t[2]) >= 0;
+}
 
 // Whether a pixel is on the inner side of edge k of a triangle. A counter-clockwise triangle is
 // turned first.
 bool inside_edge(const Rule& rule, const Triangle& t, std::size_t k, int x, int y) {
-  const bool turned = double_area(t[0], t[1], t[2]) < 0;
+  const bool turned = !is_clockwise(rule, t);
   const SnappedVertex &from = t[k], &to = t[(k + 1) % 3];
   const SnappedVertex &a = turned ? to : from, &b = turned ? from : to;
-  const std::int64_t e = double_area(a, b, {x * kSteps + rule.centre, y * kSteps + rule.centre});
+  const double e = rule.edge(a, b, {x * kSteps + rule.centre, y * kSteps + rule.centre});
   return e > 0 || (e == 0 && rule.owns(a, b));
 }
 
@@ -113,8 +180,13 @@ Case expect_edge(const EdgeCase& input) {
   }
   Case c = expect_numbers(input.what, samples_text(input, true), "edge function", values,
                           "steps squared");
-  // The typical mistake: the formula for a y axis that points up.
-  c.slipped = {{"y-direction", {numbers("edge function", negated, 0, "steps squared")}}};
+  // The typical mistake: the formula for a y axis that points up, or with a and b exchanged.
+  c.slipped = {{"edge-sign", {numbers("edge function", negated, 0, "steps squared")}}};
+  for (const SlippedEdge& each : kSlippedEdges) {
+    std::vector<double> slipped;
+    for (const auto& [a, b, p] : input.samples) slipped.push_back(each.edge(a, b, p));
+    c.slipped.push_back({each.slip, {numbers("edge function", slipped, 0, "steps squared")}});
+  }
   return c;
 }
 
@@ -125,7 +197,7 @@ ScreenVertex on_screen(const SnappedVertex& v) {
 
 // Sets up a triangle that has the edge from a to b, and looks up whether it owns this edge.
 Case expect_owner(const EdgeCase& input) {
-  std::vector<double> owned, going_down, bottom;
+  std::vector<double> owned, going_down, bottom, others;
   for (const auto& [a, b, p] : input.samples) {
     // With y down, the vector (-dy, dx) points to the right of the edge (dx, dy), so `inner` is on
     // the inner side of a clockwise triangle's edge.
@@ -134,29 +206,40 @@ Case expect_owner(const EdgeCase& input) {
     owned.push_back(setup && setup->edges[0].owns_zero ? 1 : 0);
     going_down.push_back(b.y > a.y || (b.y == a.y && b.x > a.x) ? 1 : 0);
     bottom.push_back(bottom_left(a, b) ? 1 : 0);
+    others.push_back(1 - owned.back());
   }
   Case c = expect_numbers(input.what, samples_text(input, false), "owned", owned);
   c.slipped = {{"y-direction", {numbers("owned", going_down)}},
                {"y-direction", {numbers("owned", bottom)}},
+               {"ownership", {numbers("owned", others)}},
                {"all-edges", {numbers("owned", std::vector<double>(owned.size(), 1))}}};
   return c;
 }
 
 // ---- 6.4 ----
 
+// The pixels of the window that a triangle can cover by any rule.
+PixelRect box_of(const Triangle& t, const PixelRect& window) {
+  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+  const auto [top, bottom] = std::minmax({t[0].y, t[1].y, t[2].y});
+  return {std::max(window.x0, (left >> 8) - 1), std::max(window.y0, (top >> 8) - 1),
+          std::min(window.x1, (right >> 8) + 2), std::min(window.y1, (bottom >> 8) + 2)};
+}
+
 Expected coverage_by(const CoverageCase& input, const Rule& rule) {
   const PixelRect& w = input.window;
   Expected expected{.field = "times covered", .shape = Shape::kCoverage, .columns = w.x1 - w.x0};
-  for (int y = w.y0; y < w.y1; ++y) {
-    for (int x = w.x0; x < w.x1; ++x) {
-      int times = 0;
-      for (const Triangle& t : input.triangles) {
-        if (double_area(t[0], t[1], t[2]) == 0) continue;
+  expected.values.resize(std::size_t(w.x1 - w.x0) * std::size_t(w.y1 - w.y0));
+  for (const Triangle& t : input.triangles) {
+    if (double_area(t[0], t[1], t[2]) == 0) continue;
+    const PixelRect box = box_of(t, w);
+    for (int y = box.y0; y < box.y1; ++y) {
+      for (int x = box.x0; x < box.x1; ++x) {
         bool inside = true;
         for (std::size_t k = 0; k < 3; ++k) inside = inside && inside_edge(rule, t, k, x, y);
-        times += inside ? 1 : 0;
+        const auto row = std::size_t(y - w.y0), column = std::size_t(x - w.x0);
+        expected.values[row * std::size_t(w.x1 - w.x0) + column] += inside ? 1 : 0;
       }
-      expected.values.push_back(times);
     }
   }
   return expected;
@@ -196,6 +279,12 @@ Case expect_coverage(const CoverageCase& input) {
                      {"winding", {coverage_of(input, false, true), inside}}}};
   for (const Rule& rule : kSlippedRules)
     c.slipped.push_back({rule.slip, {coverage_by(input, rule), inside}});
+  for (const SlippedEdge& each : kSlippedEdges) {
+    for (const bool winding_by_edge : {false, true}) {
+      const Rule rule{each.slip, kCentre, top_left, each.edge, winding_by_edge};
+      c.slipped.push_back({each.slip, {coverage_by(input, rule), inside}});
+    }
+  }
   return c;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -166,7 +167,25 @@ CheckResult not_built_check(const Check& check, std::size_t cases, double points
   return result;
 }
 
+namespace {
+
+// Removes each slip whose cause another check names: an edge function with the opposite sign, say,
+// also gives triangles the wrong edges, and whoever reads of both would look in two places.
+void remove_consequences(std::vector<CheckResult>& checks) {
+  std::set<std::string> named;
+  for (const CheckResult& check : checks) named.insert(check.slips.begin(), check.slips.end());
+  const auto follows = [&](const std::string& id) {
+    return std::ranges::any_of(known_slips(), [&](const Slip& slip) {
+      return slip.id == id && !slip.cause.empty() && named.count(slip.cause) > 0;
+    });
+  };
+  for (CheckResult& check : checks) std::erase_if(check.slips, follows);
+}
+
+}  // namespace
+
 LabResult sum_up(const Lab& lab, std::vector<CheckResult> checks) {
+  remove_consequences(checks);
   LabResult result{.number = lab.number, .folder = lab.folder, .title = lab.title};
   for (const Task& task : lab.tasks) {
     TaskResult sum{task.id, task.title, 0, 0};

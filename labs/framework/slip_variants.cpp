@@ -130,6 +130,8 @@ bool all_are(const Values& values, bool (*what)(double)) {
 // The answers with 0 and 1 exchanged, as if back faces were taken for front faces.
 Candidates inverted_answers(const Expected& field, const Values& values) {
   const auto is_bit = [](double x) { return x == 0 || x == 1; };
+  // Whether a triangle owns an edge has nothing to do with its face: lab 6 has a slip for it.
+  if (field.field == "owned") return {};
   if (field.shape != Shape::kNumbers || !all_are(field.values, is_bit) || !all_are(values, is_bit))
     return {};
   Values changed = values;

@@ -111,6 +111,23 @@ bool explains(const Evidence& evidence, const AnswerVariant& variant) {
   return changed.size() >= variant.evidence;
 }
 
+// Whether the answer's field is what a mistake leads to. A clipped polygon may begin with any
+// vertex.
+bool is_slipped(const Expected& slipped, const Answer& answer) {
+  if (!compare(slipped, answer).first) return true;
+  const Values* actual = find_field(answer, slipped.field);
+  if (slipped.shape != Shape::kPolygon || actual == nullptr ||
+      actual->size() != slipped.values.size())
+    return false;
+  const auto columns = std::ptrdiff_t(columns_of(slipped));
+  Values turned = *actual;
+  for (std::size_t i = 0; i < turned.size(); i += std::size_t(columns)) {
+    std::rotate(turned.begin(), turned.begin() + columns, turned.end());
+    if (!compare(slipped, turned).first) return true;
+  }
+  return false;
+}
+
 bool explains(const Evidence& evidence, const ExpectedVariant& variant) {
   bool used = false;
   for (std::size_t i = 0; i < evidence.cases.size(); ++i) {
@@ -145,10 +162,9 @@ bool explains(const Evidence& evidence, const std::string& slip) {
     for (const ExpectedWithSlip& each : input.slipped) {
       if (each.slip != slip || each.expected.empty()) continue;
       has_entry = true;
-      matched = matched || std::none_of(each.expected.begin(), each.expected.end(),
-                                        [&](const Expected& field) {
-                                          return compare(field, answer).first.has_value();
-                                        });
+      matched =
+          matched || std::all_of(each.expected.begin(), each.expected.end(),
+                                 [&](const Expected& field) { return is_slipped(field, answer); });
     }
     if (wrong ? !matched : has_entry && !matched) return false;
     used = used || wrong;
@@ -234,6 +250,25 @@ const std::vector<Slip>& known_slips() {
       {"all-edges",
        "your triangles own all their edges (>=): a pixel centre on an edge belongs to the triangle "
        "whose top or left edge it is"},
+      {"ownership",
+       "your triangles own their bottom and right edges: a clockwise triangle owns a left edge, "
+       "which goes up (by < ay), and a top edge, which goes right; look at owns_edge, and at the "
+       "order of its two points where you call it",
+       "edge-sign"},
+      {"edge-sign",
+       "your edge function has the opposite sign: with y down it is positive to the right of the "
+       "direction from a to b, so a, b, p clockwise give a positive number"},
+      {"edge-in-float",
+       "your edge function computes in float, which keeps 24 bits: its products need 50, so "
+       "compute "
+       "it in std::int64_t"},
+      {"edge-in-32-bits",
+       "your edge function computes in integers of 32 bits or fewer: its products need 50, so make "
+       "a factor "
+       "of each product a std::int64_t"},
+      {"no-near-plane",
+       "you leave out the near plane, z >= 0: what is before it or behind the eye must be cut off, "
+       "too, although the planes of the four sides cut off most of it"},
       {"depth-or-equal",
        "your depth test is <=: if fragments are equally near, the one drawn first stays"},
       {"shift-for-centre",

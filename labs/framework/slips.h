@@ -13,6 +13,9 @@ namespace glassbox::labs {
 struct Slip {
   std::string id;    // "z-sign"
   std::string text;  // "your z has the opposite sign: the eye looks down -z"
+  // The slip of another function that leads to the same answers. Where a report names that one, it
+  // does not name this one.
+  std::string cause = {};
 };
 
 // All slips (typical mistakes), in the order in which they are tried.

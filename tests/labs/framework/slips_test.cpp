@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "labs/framework/judge_check.h"
 #include "labs/framework/slips.h"
 #include "tests/support/catch.h"
 
@@ -212,8 +213,35 @@ TEST_CASE("what a lab says of a slip is enough, and only where an answer matches
   CHECK(find_slips({input}, {answer}).empty());
 }
 
+TEST_CASE("a clipped polygon of a slip may begin with any vertex, in the same order") {
+  Case input;
+  input.expected = {polygon("f", 2, {0, 0, 1, 0, 1, 1})};
+  input.slipped = {{"no-near-plane", {polygon("f", 2, {0, 0, 2, 0, 2, 2, 0, 2})}}};
+  CaseAnswer answer;
+  answer.state = CaseAnswer::State::kAnswered;
+  answer.answer.emit("f", {2, 2, 0, 2, 0, 0, 2, 0});
+  CHECK(find_slips({input}, {answer}) == std::vector<std::string>{"no-near-plane"});
+  answer.answer = {};
+  answer.answer.emit("f", {2, 2, 2, 0, 0, 0, 0, 2});
+  CHECK(find_slips({input}, {answer}).empty());
+}
+
+TEST_CASE("a slip that another one leads to is named only without that one") {
+  const auto slips_with = [](const std::vector<std::string>& others) {
+    CheckResult edges, coverage;
+    edges.slips = others;
+    coverage.slips = {"ownership"};
+    return sum_up(Lab{}, {edges, coverage}).checks[1].slips;
+  };
+  CHECK(slips_with({}) == std::vector<std::string>{"ownership"});
+  CHECK(slips_with({"all-edges"}) == std::vector<std::string>{"ownership"});
+  CHECK(slips_with({"edge-sign"}).empty());
+  for (const Slip& slip : known_slips())
+    CHECK((slip.cause.empty() || !slip_text(slip.cause).empty()));
+}
+
 TEST_CASE("every slip has a sentence, and a name of its own") {
-  CHECK(known_slips().size() == 25);
+  CHECK(known_slips().size() == 30);
   for (const Slip& slip : known_slips()) CHECK(slip_text(slip.id) == slip.text);
   CHECK(slip_text("z-sign") == "your z has the opposite sign: the eye looks down -z");
   CHECK(slip_text("no such slip").empty());
