@@ -298,7 +298,7 @@ run_part() {
   # of their solutions, and one in three or four of the cases that need a program of their own.
   faults)
     run_long faults all_labs "[.faults]" "all that are planted in the labs" labs/framework
-    run_long faults-mutation all_labs "[.mutation]" "every mutant of the labs' solutions" labs/framework
+    run_long faults-mutation all_labs "[.mutation]" "every mutant of the solutions" labs/framework
     run_long faults-drawn lab_drawings "[.faults]" "every lab draws and is measured" labs/drawing
     run_long faults-graded lab_grading "[.faults]" "every hostile kind in every sandbox" labs/grading
     ;;

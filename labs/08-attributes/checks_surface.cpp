@@ -9,7 +9,7 @@
 #include <glassbox/base/rounding.h>
 
 #include "exact/number.h"
-#include "labs/08-attributes/generators.h"
+#include "labs/08-attributes/generators_surface.h"
 #include "labs/08-attributes/surface_checks.h"
 #include "labs/framework/compare.h"
 

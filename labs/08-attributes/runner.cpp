@@ -1,6 +1,7 @@
 // Calls your functions with the cases of lab 8.
 #include "labs/framework/runner.h"
 #include "generators.h"
+#include "generators_surface.h"
 #include "student.h"
 
 namespace lab_08 {

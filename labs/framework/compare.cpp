@@ -255,23 +255,25 @@ std::optional<Divergence> judge_case(const Case& input, const Answer& answer) {
   return std::nullopt;
 }
 
-bool has_numbers(const Answer& answer, const std::string& field, const std::vector<double>& right,
-                 double bound) {
-  const auto* actual = find_field(answer, field);
+// Whether there are as many numbers, each at most its bound away from the right one.
+template <class BoundAt>
+static bool are_near(const std::vector<double>* actual, const std::vector<double>& right,
+                     BoundAt bound_at_index) {
   if (actual == nullptr || actual->size() != right.size()) return false;
   for (std::size_t i = 0; i < right.size(); ++i) {
-    if (!(distance_between(right[i], (*actual)[i]) <= bound)) return false;
+    if (!(distance_between(right[i], (*actual)[i]) <= bound_at_index(i))) return false;
   }
   return true;
 }
 
+bool has_numbers(const Answer& answer, const std::string& field, const std::vector<double>& right,
+                 double bound) {
+  return are_near(find_field(answer, field), right, [bound](std::size_t) { return bound; });
+}
+
 bool has_field(const Answer& answer, const Expected& right) {
-  const auto* actual = find_field(answer, right.field);
-  if (actual == nullptr || actual->size() != right.values.size()) return false;
-  for (std::size_t i = 0; i < actual->size(); ++i) {
-    if (!is_within_bound(right, i, (*actual)[i])) return false;
-  }
-  return true;
+  return are_near(find_field(answer, right.field), right.values,
+                  [&](std::size_t i) { return bound_at(right, i); });
 }
 
 bool has_fields(const Answer& answer, const std::vector<Expected>& right) {

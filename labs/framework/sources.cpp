@@ -95,9 +95,16 @@ Result<std::vector<SourceFile>> support_files(const Sources& sources, const std:
   std::vector<Wanted> wanted;
   for (const char* name : {"student.h", "cases.h", "runner.cpp"})
     wanted.push_back({sources.folder_of(folder) / name, name});
-  // A lab may have generated inputs.
-  if (const fs::path generators = sources.folder_of(folder) / "generators.h"; is_file(generators))
-    wanted.push_back({generators, "generators.h"});
+  // A lab may have generated inputs, in one file or several.
+  std::error_code error;
+  std::set<std::string> generators;
+  for (fs::directory_iterator entry(sources.folder_of(folder), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with("generators") && name.ends_with(".h")) generators.insert(name);
+  }
+  for (const std::string& name : generators)
+    wanted.push_back({sources.folder_of(folder) / name, name});
   const auto want_of_framework = [&](const std::string& name) {
     wanted.push_back({sources.labs / "framework" / name, "labs/framework/" + name});
   };

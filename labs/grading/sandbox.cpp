@@ -208,12 +208,10 @@ std::string Sandbox::description() const {
       text = "Landlock (no files but the compiler's own)";
       break;
     case Confinement::kLimits:
-      text = view_works_ ? "no rules of the kernel for files: a library hides all files but the "
-                           "compiler's own "
-                           "from the compiler"
-                         : "no rules of the kernel for files, and no library hides files from the "
-                           "compiler, so "
-                           "that a submission can find out which files exist";
+      text = "no rules of the kernel for files";
+      text += view_works_ ? ": a library hides all files but the compiler's own from the compiler"
+                          : ", and no library hides files from the compiler, so that a submission "
+                            "can find out which files exist";
       break;
   }
   text += runner_filter_.empty() ? ", no system-call filter" : ", a system-call filter";

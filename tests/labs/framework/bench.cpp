@@ -110,7 +110,7 @@ Result<BenchProgram> Bench::try_program(const std::string& student, bool hidden)
 }
 
 const Check* Bench::first_wrong(Runner& runner, const BenchProgram& program,
-                                const std::string& task) const {
+                                const std::string& task, Checks which) const {
   std::vector<std::size_t> order(cases_.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto is_other = [&](std::size_t i) { return lab_.checks[i].task != task; };
@@ -118,10 +118,11 @@ const Check* Bench::first_wrong(Runner& runner, const BenchProgram& program,
     return std::pair(lab_.checks[a].generated, is_other(a)) <
            std::pair(lab_.checks[b].generated, is_other(b));
   });
+  if (which == Checks::kOfTask) std::erase_if(order, is_other);
   for (const std::size_t i : order) {
     const Check& check = lab_.checks[i];
     RunLimits limits;
-    limits.seconds = 600;
+    limits.seconds = 600;  // of a busy machine; LimitedRunner ends a program before
     const auto answers = run_check(runner, program.path, check.name, cases_[i].size(), limits);
     if (judge_check(check, cases_[i], answers, 1).right < cases_[i].size()) return &check;
   }
@@ -151,6 +152,19 @@ LabResult Bench::check(const BenchProgram& program, const AllCases& cases, Input
   });
   std::erase_if(results, [](const CheckResult& each) { return each.name.empty(); });
   return sum_up(lab_, std::move(results));
+}
+
+RunOutcome LimitedRunner::run(const RunRequest& request) {
+  if (has_failed_) return {};
+  RunRequest limited = request;
+  limited.program = "/usr/bin/env";
+  limited.arguments = {variable_,         "prlimit",  "--cpu=5",
+                       "--as=2000000000", "--core=0", request.program.string()};
+  limited.arguments.insert(limited.arguments.end(), request.arguments.begin(),
+                           request.arguments.end());
+  const RunOutcome outcome = LocalRunner().run(limited);
+  has_failed_ = outcome.ending != RunOutcome::Ending::kExit;
+  return outcome;
 }
 
 std::string failures(const LabResult& result) {

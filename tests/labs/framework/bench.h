@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "labs/framework/judge_check.h"
@@ -25,6 +26,22 @@ struct BenchProgram {
 // Which checks are run: all of them, or those without generated inputs, which take a tenth of the
 // time.
 enum class Inputs { kAll, kCases };
+
+// Which checks first_wrong() runs.
+enum class Checks { kAll, kOfTask };
+
+// Runs a changed program, which may run for ever, or allocate for ever: it has 5 seconds and 2 GB.
+// The time is the processor's, so that a busy machine makes no difference. `variable` ("NAME=VALUE")
+// is set in the program's environment. After a run that did not end well nothing more is run.
+class LimitedRunner : public Runner {
+public:
+  explicit LimitedRunner(std::string variable) : variable_(std::move(variable)) {}
+  RunOutcome run(const RunRequest& request) override;
+
+private:
+  std::string variable_;
+  bool has_failed_ = false;
+};
 
 // One bench for each lab. The code around a student's file is compiled once (a kit, kept for the
 // next run), a text that was compiled before is not compiled again, and the expected answers are
@@ -48,8 +65,8 @@ public:
   LabResult check(const std::string& student) { return check(program(student)); }
   // The first check that is not right: of `task` first, and of generated inputs last. Null if all
   // are right.
-  const Check* first_wrong(Runner& runner, const BenchProgram& program,
-                           const std::string& task) const;
+  const Check* first_wrong(Runner& runner, const BenchProgram& program, const std::string& task,
+                           Checks which = Checks::kAll) const;
   // Checks with cases that are computed again, because they depend on a seed.
   LabResult check_with_new_cases(const BenchProgram& program, Inputs inputs) const;
 

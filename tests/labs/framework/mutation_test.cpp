@@ -2,9 +2,12 @@
 // find every change, unless equivalent_mutants.json says why the changed program does the same.
 // Every run tries a share of the mutants of two labs; "[.mutation]" tries all of them and prints
 // the table of docs/grading.md (./glassbox test faults).
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <regex>
@@ -19,11 +22,14 @@
 #include "tests/labs/framework/mutate.h"
 #include "tests/labs/framework/plant_faults.h"
 #include "tests/support/daily_share.h"
+#include "tests/support/run_program.h"
 
 using namespace glassbox;
 using namespace glassbox::labs;
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t kLabDays = 7;      // each lab has its mutants tried on one of so many days
 constexpr std::size_t kMostAtOnce = 80;  // in one program; compiling it takes some 10 seconds
@@ -32,6 +38,8 @@ constexpr std::size_t kMostAtOnce = 80;  // in one program; compiling it takes s
 struct Equivalent {
   int lab = 0;
   std::string before, after, why;
+  // It goes beyond an array, so what it does is undefined; lab check --sanitize finds it.
+  bool is_undefined = false;
 };
 
 std::vector<Equivalent> all_equivalents() {
@@ -41,43 +49,24 @@ std::vector<Equivalent> all_equivalents() {
   std::vector<Equivalent> all;
   for (const auto& group : nlohmann::json::parse(*text)) {
     for (const auto& each : group.at("mutants"))
-      all.push_back({group.at("lab"), each.at(0), each.at(1), group.at("why")});
+      all.push_back({group.at("lab"), each.at(0), each.at(1), group.at("why"),
+                     group.value("undefined", false)});
   }
   return all;
 }
 
-bool is_listed(const std::vector<Equivalent>& all, int lab, const Mutant& mutant) {
-  return std::any_of(all.begin(), all.end(), [&](const Equivalent& each) {
+// The entry of a mutant; null if it has none.
+const Equivalent* find_entry(const std::vector<Equivalent>& all, int lab, const Mutant& mutant) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Equivalent& each) {
     return each.lab == lab && each.before == mutant.before && each.after == mutant.after;
   });
+  return found == all.end() ? nullptr : &*found;
 }
 
-// Runs one variant of a program with many, with limits: a mutant may run for ever, or allocate for
-// ever. The time is the processor's, so that a busy machine does not find mutants.
-class VariantRunner : public Runner {
-public:
-  explicit VariantRunner(std::size_t number) : number_(number) {}
-  RunOutcome run(const RunRequest& request) override {
-    RunRequest limited = request;
-    limited.program = "/usr/bin/env";
-    limited.arguments = {fmt::format("{}={}", kPlanted, number_),
-                         "prlimit",
-                         "--cpu=5",
-                         "--as=2000000000",
-                         "--core=0",
-                         request.program.string()};
-    limited.arguments.insert(limited.arguments.end(), request.arguments.begin(),
-                             request.arguments.end());
-    if (has_failed_) return {};  // a crash would otherwise cost a run for each case
-    const RunOutcome outcome = LocalRunner().run(limited);
-    has_failed_ = outcome.ending != RunOutcome::Ending::kExit;
-    return outcome;
-  }
-
-private:
-  std::size_t number_;
-  bool has_failed_ = false;
-};
+// Runs one variant of a program with many.
+LimitedRunner runner_of_variant(std::size_t number) {
+  return LimitedRunner(fmt::format("{}={}", kPlanted, number));
+}
 
 enum class Outcome { kNotCompiled, kByCase, kByGenerated, kSurvived };
 
@@ -129,11 +118,11 @@ std::vector<Outcome> try_mutants(const Lab& lab, std::vector<Mutant> mutants) {
       left.erase(left.begin() + std::ptrdiff_t(*at) - 1);
   }
   if (program) {  // the solution itself is right when it is run like this
-    VariantRunner runner(0);
+    LimitedRunner runner = runner_of_variant(0);
     REQUIRE(bench.first_wrong(runner, *program, "") == nullptr);
   }
   run_in_parallel(left.size(), [&](std::size_t k) {
-    VariantRunner runner(k + 1);
+    LimitedRunner runner = runner_of_variant(k + 1);
     const auto check = bench.first_wrong(runner, *program, mutants[left[k]].task);
     outcomes[left[k]] = !check             ? Outcome::kSurvived
                         : check->generated ? Outcome::kByGenerated
@@ -144,8 +133,25 @@ std::vector<Outcome> try_mutants(const Lab& lab, std::vector<Mutant> mutants) {
 
 struct Counts {
   std::size_t mutants = 0, not_compiled = 0, by_case = 0, by_generated = 0, equivalent = 0;
-  std::vector<std::string> survivors;
+  std::vector<std::string> survivors;      // that are not listed
+  std::vector<std::string> wrong_entries;  // of the list: a check finds them
 };
+
+void count(Counts& counts, const Lab& lab, const Mutant& mutant, const Equivalent* entry,
+           Outcome outcome) {
+  const bool does_the_same = outcome == Outcome::kSurvived;
+  const std::string text = fmt::format("lab {}, line {}, task {}:\n  {}\n  {}", lab.number,
+                                       mutant.line, mutant.task, mutant.before, mutant.after);
+  if (entry != nullptr) {
+    ++counts.equivalent;
+    if (!does_the_same && !entry->is_undefined) counts.wrong_entries.push_back(text);
+    return;
+  }
+  if (does_the_same) counts.survivors.push_back(text);
+  counts.not_compiled += outcome == Outcome::kNotCompiled;
+  counts.by_case += outcome == Outcome::kByCase;
+  counts.by_generated += outcome == Outcome::kByGenerated;
+}
 
 Counts try_lab(const Lab& lab, const test::DailyShare& share) {
   INFO("lab " << lab.folder << ", " << share.text());
@@ -154,35 +160,16 @@ Counts try_lab(const Lab& lab, const test::DailyShare& share) {
   std::vector<Mutant> chosen;
   const std::vector<Mutant> all = mutants_of(Bench::for_lab(lab).solution());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!share.includes(i, all.size())) continue;
-    ++counts.mutants;
-    if (is_listed(equivalents, lab.number, all[i])) {
-      ++counts.equivalent;
-    } else {
-      chosen.push_back(all[i]);
-    }
+    if (share.includes(i, all.size())) chosen.push_back(all[i]);
   }
+  counts.mutants = chosen.size();
   for (std::size_t first = 0; first < chosen.size(); first += kMostAtOnce) {
     const auto begin = chosen.begin() + std::ptrdiff_t(first);
     const auto end = chosen.begin() + std::ptrdiff_t(std::min(chosen.size(), first + kMostAtOnce));
     const std::vector<Outcome> outcomes = try_mutants(lab, {begin, end});
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
       const Mutant& mutant = chosen[first + i];
-      switch (outcomes[i]) {
-        case Outcome::kNotCompiled:
-          ++counts.not_compiled;
-          break;
-        case Outcome::kByCase:
-          ++counts.by_case;
-          break;
-        case Outcome::kByGenerated:
-          ++counts.by_generated;
-          break;
-        case Outcome::kSurvived:
-          counts.survivors.push_back(fmt::format("lab {}, line {}, task {}:\n  {}\n  {}",
-                                                 lab.number, mutant.line, mutant.task,
-                                                 mutant.before, mutant.after));
-      }
+      count(counts, lab, mutant, find_entry(equivalents, lab.number, mutant), outcomes[i]);
     }
   }
   return counts;
@@ -197,11 +184,37 @@ TEST_CASE("no mutant of a solution has all points, some of two labs every day") 
     if (!labs_of_day.includes(i, labs.size())) continue;
     const Counts counts = try_lab(labs[i], test::DailyShare(8, test::seed_of_shares() / kLabDays));
     CHECK(counts.survivors == std::vector<std::string>());
+    CHECK(counts.wrong_entries == std::vector<std::string>());
     CHECK(counts.by_case + counts.by_generated > counts.not_compiled);
   }
 }
 
-TEST_CASE("every equivalent mutant that is listed is one, with a reason") {
+// Checks one of them every day.
+TEST_CASE("a change that goes beyond an array is found by lab check --sanitize") {
+  std::vector<Equivalent> undefined = all_equivalents();
+  std::erase_if(undefined, [](const Equivalent& each) { return !each.is_undefined; });
+  REQUIRE_FALSE(undefined.empty());
+  const Equivalent& today = undefined[test::seed_of_shares() % undefined.size()];
+  const Lab& lab = all_labs().at(std::size_t(today.lab) - 1);
+  const std::vector<Mutant> mutants = mutants_of(Bench::for_lab(lab).solution());
+  const auto mutant = std::find_if(mutants.begin(), mutants.end(), [&](const Mutant& each) {
+    return each.before == today.before && each.after == today.after;
+  });
+  REQUIRE(mutant != mutants.end());
+  const fs::path folder =
+      fs::temp_directory_path() / fmt::format("glassbox-undefined-{}", getpid());
+  fs::create_directories(folder);
+  REQUIRE(write_if_changed(folder / "student.cpp", mutant->source));
+  const auto checked = test::run_program(
+      GLASSBOX_PROGRAM,
+      {"lab", "check", folder.string(), "--lab", std::to_string(today.lab), "--sanitize"}, "/");
+  fs::remove_all(folder);
+  INFO(checked.out << checked.err);
+  CHECK(checked.exit_code == 1);
+  CHECK(checked.out.find("student.cpp:") != std::string::npos);  // where the finding is
+}
+
+TEST_CASE("every equivalent mutant that is listed is a mutant, with a reason") {
   std::map<int, std::vector<Mutant>> mutants;
   for (const Lab& lab : all_labs())
     mutants[lab.number] = mutants_of(solution_text(find_sources().value(), lab.folder).value());
@@ -226,5 +239,6 @@ TEST_CASE("no mutant of any solution has all points", "[.mutation]") {
     for (const std::string& each : counts.survivors) fmt::print(stderr, "{}\n", each);
     std::fflush(stdout);
     CHECK(counts.survivors.empty());
+    CHECK(counts.wrong_entries == std::vector<std::string>());
   }
 }
