@@ -1,5 +1,5 @@
-// The generated inputs of lab 8 for pixels, rows and footprints: up to 100,000 for each function, of
-// all kinds that student.h names and of the borders between them.
+// The generated inputs of lab 8 for pixels, rows and footprints: up to 100,000 for each function,
+// of all kinds that student.h names and of the borders between them.
 #pragma once
 
 #include <algorithm>

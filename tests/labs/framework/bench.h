@@ -31,8 +31,9 @@ enum class Inputs { kAll, kCases };
 enum class Checks { kAll, kOfTask };
 
 // Runs a changed program, which may run for ever, or allocate for ever: it has 5 seconds and 2 GB.
-// The time is the processor's, so that a busy machine makes no difference. `variable` ("NAME=VALUE")
-// is set in the program's environment. After a run that did not end well nothing more is run.
+// The time is the processor's, so that a busy machine makes no difference. `variable`
+// ("NAME=VALUE") is set in the program's environment. After a run that did not end well nothing
+// more is run.
 class LimitedRunner : public Runner {
 public:
   explicit LimitedRunner(std::string variable) : variable_(std::move(variable)) {}

@@ -75,7 +75,8 @@ void add_definitions(HandedOut& all, const std::string& header, const std::strin
   const std::string code = std::regex_replace(bare, std::regex(R"(= \{\})"), "= 0");
   static const std::regex function(
       R"(\n(template <[^\n]*>\n(?:  requires[^\n]*\n)?)?)"
-      R"((?!namespace|struct|class|using|enum|return|template)[A-Za-z][\w:<>, ]*[ >&*](\w+)\(([^;{}]*)\)[^;{}()]*\{)");
+      R"((?!namespace|struct|class|using|enum|return|template)[A-Za-z][\w:<>, ]*[ >&*])"
+      R"((\w+)\(([^;{}]*)\)[^;{}()]*\{)");
   for (std::sregex_iterator at(code.begin(), code.end(), function), end; at != end; ++at) {
     const std::string name = space + "::" + (*at)[2].str();
     if (takes_any_type((*at)[1], (*at)[3])) all.left_out.insert(name);

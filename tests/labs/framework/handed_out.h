@@ -20,8 +20,8 @@ struct HandedOut {
   std::string members;  // functions members(S&), one for each struct S, which return a tuple
 };
 
-// What the headers of a lab's folder define, as `glassbox lab start` gives them, and the headers that
-// they include. What a student's file includes stays outside of `text`. Everything else has a
+// What the headers of a lab's folder define, as `glassbox lab start` gives them, and the headers
+// that they include. What a student's file includes stays outside of `text`. Everything else has a
 // namespace of its own in the lab's, so that it is not mistaken for what the runner is compiled
 // with.
 HandedOut handed_out(const Sources& sources, const Lab& lab);

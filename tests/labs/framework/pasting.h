@@ -1,8 +1,11 @@
-// The code that tries calls in place of a task's function (pasted_test.cpp). It is no header of the
-// tests: pasted_test.cpp fills in the marked lines and puts it into a student.cpp. A call is offered
-// if it compiles and its result, converted or one of its members, is of the type that the task's
-// function returns.
+// The code that tries calls in place of a task's function. It is no header of the tests:
+// pasted_test.cpp fills in the marked lines and puts it into a student.cpp. A call is offered if it
+// compiles and its result, converted or one of its members, is of the type that the task's function
+// returns.
 #pragma once
+
+// Versions 14 and 19 of clang-format disagree on constraints.
+// clang-format off
 
 #include <unistd.h>
 #include <array>
@@ -21,31 +24,33 @@
 namespace pasting {
 
 template <class S>
-requires requires(S& s) {
-  s.x;
-  s.y;
-  s.z;
-  s.w;
-}
+  requires requires(S& s) {
+    s.x;
+    s.y;
+    s.z;
+    s.w;
+  }
 auto members(S& s) {
   return std::tie(s.x, s.y, s.z, s.w);
 }
 template <class S>
-requires(
-    requires(S& s) {
-      s.x;
-      s.y;
-      s.z;
-    } &&
-    !requires(S & s) { s.w; }) auto members(S& s) {
+  requires(
+      requires(S& s) {
+        s.x;
+        s.y;
+        s.z;
+      } && !requires(S& s) { s.w; })
+auto members(S& s) {
   return std::tie(s.x, s.y, s.z);
 }
 template <class T, std::size_t kSize>
-requires(kSize < 9) auto members(std::array<T, kSize>& a) {
+  requires(kSize < 9)
+auto members(std::array<T, kSize>& a) {
   return std::apply([](auto&... x) { return std::tie(x...); }, a);
 }
 template <class T, std::size_t kSize>
-requires(kSize < 9) auto members(const std::array<T, kSize>& a) {
+  requires(kSize < 9)
+auto members(const std::array<T, kSize>& a) {
   return std::apply([](auto&... x) { return std::tie(x...); }, a);
 }
 // MEMBERS
@@ -109,8 +114,7 @@ void offer_as_member(Trial<R>& trial, const char* name, const char* how, const c
   };
   [&]<std::size_t... k>(std::index_sequence<k...>) {
     (one(std::integral_constant<std::size_t, k>()), ...);
-  }
-  (std::make_index_sequence<std::tuple_size_v<Parts>>());
+  }(std::make_index_sequence<std::tuple_size_v<Parts>>());
 }
 
 template <class R, class Call>
@@ -126,7 +130,7 @@ void offer(Trial<R>& trial, const char* name, const char* how, const char* argum
     } else if constexpr (requires(S s) { R{s}; }) {
       if (trial.takes(name, how, arguments, " in braces")) trial.answer.emplace(R{call()});
     }
-    if constexpr (requires(R & r) { members(r); }) {
+    if constexpr (requires(R& r) { members(r); }) {
       if (is_of_lab(name)) offer_as_member(trial, name, how, arguments, call);
     }
     if constexpr (requires(S s) { s.front(); }) {
@@ -134,7 +138,7 @@ void offer(Trial<R>& trial, const char* name, const char* how, const char* argum
         if (trial.takes(name, how, arguments, ".front()")) trial.answer.emplace(call().front());
       }
     }
-    if constexpr (requires(S & s) { members(s); }) {
+    if constexpr (requires(S& s) { members(s); }) {
       using Parts = decltype(members(std::declval<S&>()));
       [&]<std::size_t... k>(std::index_sequence<k...>) {
         const auto one = [&]<std::size_t i>(std::integral_constant<std::size_t, i>) {
@@ -146,34 +150,35 @@ void offer(Trial<R>& trial, const char* name, const char* how, const char* argum
           }
         };
         (one(std::integral_constant<std::size_t, k>()), ...);
-      }
-      (std::make_index_sequence<std::tuple_size_v<Parts>>());
+      }(std::make_index_sequence<std::tuple_size_v<Parts>>());
     }
   }
 }
 
 using glassbox::labs::Choices;
 
-#define VISIBLE(id, name, fewest, most)                                                         \
-  struct id {                                                                                   \
-    static constexpr const char* text = #name;                                                  \
-    static constexpr bool takes(std::size_t count) { return fewest <= count && count <= most; } \
-    template <class... A>                                                                       \
-    static auto plain(A&... a) -> decltype(name(a...)) {                                        \
-      return name(a...);                                                                        \
-    }                                                                                           \
-    template <class... A>                                                                       \
-    static auto braced(A&... a) -> decltype(name({a...})) {                                     \
-      return name({a...});                                                                      \
-    }                                                                                           \
-    template <class... A>                                                                       \
-    static auto named(A&... a) -> decltype(name({"", a...})) {                                  \
-      return name({"", a...});                                                                  \
-    }                                                                                           \
-    template <class... A>                                                                       \
-    static auto chosen(Choices& c, A&... a) -> decltype(name(c, a...)) {                        \
-      return name(c, a...);                                                                     \
-    }                                                                                           \
+#define VISIBLE(id, name, fewest, most)                                  \
+  struct id {                                                            \
+    static constexpr const char* text = #name;                           \
+    static constexpr bool takes(std::size_t count) {                     \
+      return fewest <= count && count <= most;                           \
+    }                                                                    \
+    template <class... A>                                                \
+    static auto plain(A&... a) -> decltype(name(a...)) {                 \
+      return name(a...);                                                 \
+    }                                                                    \
+    template <class... A>                                                \
+    static auto braced(A&... a) -> decltype(name({a...})) {              \
+      return name({a...});                                               \
+    }                                                                    \
+    template <class... A>                                                \
+    static auto named(A&... a) -> decltype(name({"", a...})) {           \
+      return name({"", a...});                                           \
+    }                                                                    \
+    template <class... A>                                                \
+    static auto chosen(Choices& c, A&... a) -> decltype(name(c, a...)) { \
+      return name(c, a...);                                              \
+    }                                                                    \
   };
 
 template <class V, class R, class... A>
@@ -183,8 +188,7 @@ void offer_one(Trial<R>& trial, const char* arguments, A&... a) {
       offer(trial, V::text, "", arguments, [&] { return V::plain(a...); });
   }
   if constexpr (V::takes(1)) {
-    if constexpr (
-        requires { V::braced(a...); } && !requires { V::plain(a...); })
+    if constexpr (requires { V::braced(a...); } && !requires { V::plain(a...); })
       offer(trial, V::text, "in braces: ", arguments, [&] { return V::braced(a...); });
     if constexpr (requires { V::named(a...); })
       offer(trial, V::text, "in braces after \"\": ", arguments, [&] { return V::named(a...); });
@@ -209,19 +213,19 @@ void offer_members(Trial<R>& trial, Tuple all) {
   constexpr std::size_t count = std::tuple_size_v<Tuple>;
   if constexpr (count <= 9) {
     const auto range = [&]<std::size_t first, std::size_t... k>(
-        std::integral_constant<std::size_t, first>, std::index_sequence<k...>) {
+                           std::integral_constant<std::size_t, first>, std::index_sequence<k...>) {
       offer_each(trial, "members", std::get<first + k>(all)...);
     };
     const auto from = [&]<std::size_t first, std::size_t... length>(
-        std::integral_constant<std::size_t, first> start, std::index_sequence<length...>) {
+                          std::integral_constant<std::size_t, first> start,
+                          std::index_sequence<length...>) {
       (range(start, std::make_index_sequence<length + 1>()), ...);
     };
     [&]<std::size_t... first>(std::index_sequence<first...>) {
       (from(std::integral_constant<std::size_t, first>(),
             std::make_index_sequence<count - first>()),
        ...);
-    }
-    (std::make_index_sequence<count>());
+    }(std::make_index_sequence<count>());
   } else {
     std::apply([&](auto&... a) { offer_each(trial, "members", a...); }, all);
   }
