@@ -42,15 +42,28 @@ run(${CMAKE_COMMAND} --build ${work}/consumer-build)
 run(${work}/consumer-build/consumer ${work}/consumer.png)
 run(${CMAKE_COMMAND} -E env GLASSBOX_FAILURES=${work}/consumer-failures
   ${work}/consumer-build/compares ${work}/consumer.png)
-# The files with which students' functions are compiled are there for every lab, and an installed
-# program finds them.
+# The files with which students' functions are compiled are there for every lab, with all files that
+# they include, and an installed program finds them.
+set(installed_labs ${prefix}/share/glassbox/labs)
 foreach(part student.h student.cpp cases.h runner.cpp stages.cpp timed.cpp)
   file(GLOB of_clone RELATIVE ${clone}/labs ${clone}/labs/[0-9][0-9]-*/${part})
-  file(GLOB installed RELATIVE ${prefix}/share/glassbox/labs ${prefix}/share/glassbox/labs/[0-9][0-9]-*/${part})
+  file(GLOB installed RELATIVE ${installed_labs} ${installed_labs}/[0-9][0-9]-*/${part})
   if(NOT installed OR NOT installed STREQUAL of_clone)
     message(FATAL_ERROR "${part} is installed of ${installed}, and is there of ${of_clone}")
   endif()
 endforeach()
+file(GLOB sources ${installed_labs}/*/*.h ${installed_labs}/*/*.cpp)
+foreach(source IN LISTS sources)
+  get_filename_component(folder ${source} DIRECTORY)
+  file(STRINGS ${source} lines REGEX "^#include (\"|<glassbox/)")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include [\"<](.*)[\">].*" "\\1" header "${line}")
+    if(NOT EXISTS ${folder}/${header} AND NOT EXISTS ${prefix}/share/glassbox/${header} AND NOT EXISTS ${prefix}/include/${header})
+      message(FATAL_ERROR "${source} includes ${header}, which is not installed")
+    endif()
+  endforeach()
+endforeach()
+run(${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${work}/cache ${prefix}/bin/glassbox lab check ${installed_labs}/05-clipping)
 run(${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${work}/cache ${prefix}/bin/glassbox lab render ${prefix}/share/glassbox/labs/05-clipping teapot
   --size 64x36 -o ${work}/lab.png)
 # find_package's components, which the project checks itself.

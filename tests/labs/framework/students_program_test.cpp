@@ -39,7 +39,12 @@ public:
     fs::create_directories(prefix / "share/glassbox");
     fs::copy_file(STUDENTS_PROGRAM, prefix / "bin/glassbox");
     fs::create_directory_symlink(STUDENTS_LABS, prefix / "share/glassbox/labs");
-    fs::create_directory_symlink(GLASSBOX_SOURCE_DIR "/include", prefix / "include");
+    // Students' files must do with the headers that are installed for them.
+    const auto installed = test::run_program("/usr/bin/env",
+                                             {"cmake", "--install", BUILD, "--component",
+                                              "student-headers", "--prefix", prefix.string()},
+                                             directory_.path.string());
+    REQUIRE(installed.exit_code == 0);
   }
   const fs::path& path() const { return directory_.path; }
   test::Outcome run(std::vector<std::string> words) const {
