@@ -250,12 +250,24 @@ std::optional<WrongNumber> judge_normal(const Numbers& in, const Numbers& yours,
 
 // ---- in the scene ----
 
+// The beginning of the text that read_mesh gets.
+std::string restated_text(const Numbers& in) {
+  constexpr std::size_t kShown = 200;  // characters
+  std::string text;
+  for (std::size_t i = 0; i < std::min(in.size(), kShown); ++i)
+    text += in[i] == '\n' ? std::string(" / ") : std::string(1, char(in[i]));
+  return "the text \"" + text + (in.size() > kShown ? "...\"" : "\"");
+}
+
 const std::vector<DrawnStage>& stages() {
+  static const auto tables_in_words =
+      in_words({{"position", 3, kCounted}, {"face", kCounted, kAllThatFollow}});
   static const std::vector<DrawnStage> all{
-      {"read", "object", "read_mesh", read, judge_read},
-      {"edges", "object", "find_edges", edges, judge_edges},
-      {"turns", "object", "faces_to_turn", turns, judge_turns},
-      {"normal", "object", "newell_vector, angle_between", normal, judge_normal}};
+      {"read", "object", "read_mesh", read, judge_read, restated_text},
+      {"edges", "object", "find_edges", edges, judge_edges, tables_in_words},
+      {"turns", "object", "faces_to_turn", turns, judge_turns, tables_in_words},
+      {"normal", "object", "newell_vector, angle_between", normal, judge_normal,
+       in_words({{"corner", 3, kAllThatFollow}})}};
   return all;
 }
 

@@ -169,9 +169,10 @@ std::optional<WrongNumber> judge_composed(const Numbers& in, const Numbers& your
 
 const std::vector<DrawnStage>& stages() {
   static const std::vector<DrawnStage> all{
-      {"repair", "world", "repaired", repaired, judge_repaired},
-      {"axis", "world", "axis_angle_of", axis, judge_axis},
-      {"place", "world", "compose", composed, judge_composed}};
+      {"repair", "world", "repaired", repaired, judge_repaired, in_words({{"matrix", 16}})},
+      {"axis", "world", "axis_angle_of", axis, judge_axis, in_words({{"matrix", 16}})},
+      {"place", "world", "compose", composed, judge_composed,
+       in_words({{"kind, v, amount, changed, by of step", 7, kAllThatFollow}})}};
   return all;
 }
 
@@ -188,7 +189,8 @@ Question compose_question(const Parts& parts, Numbers turn) {
   Question question{parts.before};
   const glm::dvec3 axis(turn[0], turn[1], turn[2]);
   const bool turns = glm::length(axis) > 0;
-  const Numbers rotate = step(kRotate, turns ? axis : glm::dvec3(0, 0, 1),
+  // The axis of a step need not have length 1: functions that forget to normalise it are seen.
+  const Numbers rotate = step(kRotate, turns ? 2.0 * axis : glm::dvec3(0, 0, 1),
                               turns ? std::clamp(degrees_from_radians(turn[3]), -360.0, 360.0) : 0);
   const Numbers shift = step(kTranslate, parts.shift);
   question.numbers.insert(question.numbers.end(), rotate.begin(), rotate.end());

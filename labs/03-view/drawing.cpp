@@ -143,9 +143,13 @@ private:
 
 const std::vector<DrawnStage>& stages() {
   static const std::vector<DrawnStage> all{
-      {"kind", "world", "kind_of", kind, judge_kind},
-      {"view", "eye", "uvn_view or axis_angle_view", view, judge_view},
-      {"hand", "clip", "for_right_handed_eye", hand, judge_hand}};
+      {"kind", "world", "kind_of", kind, judge_kind, in_words({{"model matrix", 16}})},
+      {"view", "eye", "uvn_view or axis_angle_view", view, judge_view,
+       in_words({{"form", 1, 1, {"by the axes U, V, N", "by two rotations"}},
+                 {"eye", 3},
+                 {"target", 3},
+                 {"up", 3}})},
+      {"hand", "clip", "for_right_handed_eye", hand, judge_hand, in_words({{"projection", 16}})}};
   return all;
 }
 
@@ -158,8 +162,10 @@ Question camera_question(const DrawingInput& input) {
   const Point<World, double> eye(place.x, place.y, place.z);
   Question question{{input.formulation.view == ViewForm::kAxisAngle ? 1.0 : 0.0}};
   append_point(question.numbers, eye);
-  append_point(question.numbers, eye + -column(2));
-  append_point(question.numbers, column(1));
+  // The camera's axes have length 1 and are perpendicular. Other lengths and directions, which give
+  // the same axes, show functions that forget to normalise.
+  append_point(question.numbers, eye + column(2) * -3.0);
+  append_point(question.numbers, column(1) * 2.0 + column(2));
   return question;
 }
 

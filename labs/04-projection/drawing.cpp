@@ -208,12 +208,24 @@ private:
   std::vector<Numbers> ndcs_, screens_;  // one for each triangle
 };
 
+std::string restated_projection(const Numbers& in) {
+  const InputPart range{"range", 1, 1, {"depth from 0 to 1", "reversed depth from 1 to 0"}};
+  const InputPart kind{"kind", 1, 1, {"parallel", "perspective"}};
+  const bool is_perspective = in.size() > 1 && in[1] == 1;
+  return is_perspective ? in_words({range, kind, {"fovy, aspect, near, far", 4}})(in)
+                        : in_words({range, kind, {"left, right, bottom, top, near, far", 6}})(in);
+}
+
 const std::vector<DrawnStage>& stages() {
   static const std::vector<DrawnStage> all{
-      {"projection", "clip", "perspective, orthographic, in_dialect", projection, judge_projection},
-      {"divide", "ndc", "divide", divided, judge_divided},
-      {"viewport", "screen", "to_screen", placed, judge_placed},
-      {"distances", "depth", "distance_of", distances, judge_distances}};
+      {"projection", "clip", "perspective, orthographic, in_dialect", projection, judge_projection,
+       restated_projection},
+      {"divide", "ndc", "divide", divided, judge_divided,
+       in_words({{"vertex", 4, kAllThatFollow}})},
+      {"viewport", "screen", "to_screen", placed, judge_placed,
+       in_words({{"viewport left, top, width, height", 4}, {"vertex", 3, kAllThatFollow}})},
+      {"distances", "depth", "distance_of", distances, judge_distances,
+       in_words({{"near"}, {"far"}, {"depth", 1, kAllThatFollow}})}};
   return all;
 }
 

@@ -145,8 +145,8 @@ ClipPolygon polygon_of(const Numbers& answer, const std::array<ClipVertex, 3>& c
 
 class StageObserver : public Observer {
 public:
-  StageObserver(const Scene& scene, const View& view)
-      : scene_(scene), view_(view), planes_(render_planes(view)) {}
+  StageObserver(const Scene& scene, const View& view, Cull cull)
+      : scene_(scene), view_(view), planes_(render_planes(view)), cull_(cull) {}
 
   void draw(const Draw& draw) override { draw_ = &draw; }
 
@@ -158,10 +158,11 @@ public:
         number_ < clips_.size() ? polygon_of(clips_[number_], corners, planes_) : ClipPolygon{};
   }
 
+  // A triangle is culled if the student's function says so, and also if its clipped polygon shows
+  // its back on the screen, as one does whose vertices are in the wrong order.
   void facing_tested(const TriangleSetup&, bool, bool& culled) override {
-    const bool may_be_culled = !draw_->material->double_sided;
-    if (gathering_ || !may_be_culled || number_ >= faces_.size()) return;
-    culled = !faces_[number_].empty() && faces_[number_][0] != 0;
+    if (gathering_ || number_ >= faces_.size() || faces_[number_].empty()) return;
+    culled = culled || is_culled(*draw_, cull_, faces_[number_][0] == 0);
   }
 
   // Stores the answers to the questions, indexed by the triangle's number.
@@ -215,6 +216,7 @@ private:
   const Scene& scene_;
   const View view_;
   const std::array<ClipPlane, kMaxClipPlanes> planes_;
+  const Cull cull_;
   const Draw* draw_ = nullptr;
   std::uint32_t number_ = 0;
   bool gathering_ = true;
@@ -223,15 +225,18 @@ private:
 
 const std::vector<DrawnStage>& stages() {
   static const std::vector<DrawnStage> all{
-      {"clip", "clip", "outcode, trivial_verdict, clip_to_frustum", clipped, judge_clip},
-      {"facing", "world", "is_back_face", faced, judge_facing}};
+      {"clip", "clip", "outcode, trivial_verdict, clip_to_frustum", clipped, judge_clip,
+       in_words({{"corner", 4, 3}})},
+      {"facing", "world", "is_back_face", faced, judge_facing,
+       in_words({{"eye", 3}, {"corner", 3, kAllThatFollow}})}};
   return all;
 }
 
 Result<PictureSetup> draw(const DrawingInput& input, AnswerSource& answer_source) {
   PictureSetup made{input.scene, input.view, input.settings, nullptr, {}};
   made.settings.cull_stage = CullStage::kScreen;
-  auto stage_observer = std::make_shared<StageObserver>(input.scene, input.view);
+  auto stage_observer =
+      std::make_shared<StageObserver>(input.scene, input.view, made.settings.cull);
   observe_run(made, *stage_observer);
   auto clips = answer_source.ask(stages()[0], stage_observer->clip_questions);
   if (!clips) return tl::unexpected(clips.error());

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "labs/06-rasterisation/words.h"
 #include "labs/drawing/drawing.h"
 
 #include <glassbox/raster/coverage.h>
@@ -119,6 +120,22 @@ Numbers covered(RecordReader& in) {
   return out;
 }
 
+// ---- in words ----
+
+std::string restated_polygon(const Numbers& numbers) {
+  RecordReader in(numbers.data(), numbers.size());
+  std::string text = "polygon";
+  for (const SnappedVertex& vertex : vertices_of(in)) text += " " + text_of(vertex);
+  return text + " px";
+}
+
+std::string restated_window(const Numbers& numbers) {
+  RecordReader in(numbers.data(), numbers.size());
+  const auto [pixels, triangle] = window_of(in);
+  return fmt::format("triangle {}; pixels ({}, {}) to ({}, {})", text_of(triangle), pixels.x0,
+                     pixels.y0, pixels.x1 - 1, pixels.y1 - 1);
+}
+
 // ---- judgement ----
 
 std::optional<WrongNumber> judge_snap(const Numbers&, const Numbers& yours,
@@ -156,7 +173,9 @@ std::string place_of(const PixelNumbers& pixel) {
 
 std::optional<WrongNumber> judge_pixels(const std::vector<PixelNumbers>& yours,
                                         const std::vector<PixelNumbers>& reference) {
-  static const char* const kNames[] = {"edge 12", "edge 20", "edge 01"};
+  static const char* const kNames[] = {"the edge from vertex 1 to vertex 2",
+                                       "the edge from vertex 2 to vertex 0",
+                                       "the edge from vertex 0 to vertex 1"};
   const auto before = [](const PixelNumbers& a, const PixelNumbers& b) {
     return std::tie(a[1], a[0]) < std::tie(b[1], b[0]);
   };
@@ -190,8 +209,10 @@ std::optional<WrongNumber> judge_cover(const Numbers& in, const Numbers& yours,
   const std::vector<PixelRect> tiles = tiles_of(window_of(reader).pixels);
   const std::size_t head = kFirstTile + tiles.size();
   const auto name = [&](std::size_t i) {
-    static const char* const kNames[] = {"twice the area", "whether edge 12 is owned",
-                                         "whether edge 20 is owned", "whether edge 01 is owned"};
+    static const char* const kNames[] = {"twice the area",
+                                         "whether the edge from vertex 1 to vertex 2 is owned",
+                                         "whether the edge from vertex 2 to vertex 0 is owned",
+                                         "whether the edge from vertex 0 to vertex 1 is owned"};
     if (i < kFirstTile) return std::string(kNames[i]);
     const PixelRect& tile = tiles[i - kFirstTile];
     return fmt::format("tile ({}, {}) to ({}, {}): 0 none, 1 some, 2 all", tile.x0, tile.y0,
@@ -338,10 +359,11 @@ private:
 
 const std::vector<DrawnStage>& stages() {
   static const std::vector<DrawnStage> all{
-      {"snap", "screen", "snap", snapped, judge_snap},
-      {"fan", "screen", "fan_apex", fanned, judge_fan},
-      {"cover", "coverage", "edge, owns_edge, covered_pixels, classify_tile", covered,
-       judge_cover}};
+      {"snap", "screen", "snap", snapped, judge_snap,
+       in_words({{"position in px of vertex", 2, kAllThatFollow}})},
+      {"fan", "screen", "fan_apex", fanned, judge_fan, restated_polygon},
+      {"cover", "coverage", "edge, owns_edge, covered_pixels, classify_tile", covered, judge_cover,
+       restated_window}};
   return all;
 }
 

@@ -204,11 +204,17 @@ std::vector<Question> visibility_questions(const std::vector<TestedFragment>& fr
 }
 
 const std::vector<DrawnStage>& stages() {
+  static const InputPart range{"range", 1, 1, {"depth from 0 to 1", "reversed depth from 1 to 0"}};
+  static const InputPart format{
+      "format", 1, 1, {"kUnorm16", "kUnorm24", "kFloat32", "kFloat32Reversed"}};
   static const std::vector<DrawnStage> all{
-      {"row", "clip", "depth_row", row, judge_row},
-      {"codes", "depth", "depth_code", codes, judge_codes},
-      {"seen", "depth", "visible", seen, judge_visible},
-      {"distances", "depth", "distance_of", distances, judge_distances}};
+      {"row", "clip", "depth_row", row, judge_row, in_words({{"near"}, {"far"}, range})},
+      {"codes", "depth", "depth_code", codes, judge_codes,
+       in_words({format, {"depth", 1, kAllThatFollow}})},
+      {"seen", "depth", "visible", seen, judge_visible,
+       in_words({format, {"pixels"}, {"pixel and depth of fragment", 2, kAllThatFollow}})},
+      {"distances", "depth", "distance_of", distances, judge_distances,
+       in_words({{"near"}, {"far"}, range, {"depth", 1, kAllThatFollow}})}};
   return all;
 }
 

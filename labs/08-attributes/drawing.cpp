@@ -450,10 +450,19 @@ private:
   std::optional<float> level_;
 };
 
+std::string restated_attributes(const Numbers& in) {
+  const int attributes = in.empty() ? 0 : 2 * int(in[0]);
+  return in_words({{"pairs of attributes"},
+                   {"texture width, height", 2},
+                   {"x, y, 1/w, attributes of corner", 3 + attributes, 3},
+                   {"x, y, edge functions of pixel", 5, kAllThatFollow}})(in);
+}
+
 const std::vector<DrawnStage>& stages() {
-  static const std::vector<DrawnStage> all{
-      {"patch", "object", "tessellate", patch, judge_patch},
-      {"attributes", "shading", "texcoord_at, footprint_at", attributes, judge_attributes}};
+  static const std::vector<DrawnStage> all{{"patch", "object", "tessellate", patch, judge_patch,
+                                            in_words({{"level"}, {"control point", 3, 16}})},
+                                           {"attributes", "shading", "texcoord_at, footprint_at",
+                                            attributes, judge_attributes, restated_attributes}};
   return all;
 }
 

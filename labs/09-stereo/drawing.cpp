@@ -183,9 +183,18 @@ private:
 
 const std::vector<DrawnStage>& stages() {
   static const std::vector<DrawnStage> all{
-      {"eye", "clip", "eye_projection", eye, judge_eye},
-      {"verdict", "clip", "cull", verdict, judge_verdict},
-      {"anaglyph", "anaglyph", "draw_anaglyph", anaglyph, judge_anaglyph}};
+      {"eye", "clip", "eye_projection", eye, judge_eye,
+       in_words({{"half the separation"},
+                 {"window"},
+                 {"side", 1, 1, {"left eye", "right eye"}},
+                 {"projection", 16}})},
+      {"verdict", "clip", "cull", verdict, judge_verdict,
+       in_words({{"left x, right x, y, z, w of corner", 5, 3}})},
+      {"anaglyph", "anaglyph", "draw_anaglyph", anaglyph, judge_anaglyph,
+       in_words({{"width, height", 2},
+                 {"background"},
+                 {"fragments of the left eye"},
+                 {"x, y, depth, colour of fragment", 4, kAllThatFollow}})}};
   return all;
 }
 

@@ -178,11 +178,17 @@ std::optional<WrongNumber> judge_points(const Numbers& in, const Numbers& yours,
 }
 
 const std::vector<DrawnStage>& stages() {
+  static const InputPart match{"left x, left y, right x, right y of match", 4, kAllThatFollow};
   static const std::vector<DrawnStage> all{
-      {"matrix", "eye", "normalising, eight_point", matrix_stage, judge_matrix},
-      {"pose", "eye", "relative_pose", pose_stage, judge_pose},
-      {"points", "eye", "triangulate", points_stage, judge_points},
-      {"lines", "screen", "epipolar_line", lines_stage, judge_lines}};
+      {"matrix", "eye", "normalising, eight_point", matrix_stage, judge_matrix, in_words({match})},
+      {"pose", "eye", "relative_pose", pose_stage, judge_pose, in_words({{"E", 9}, match})},
+      {"points", "eye", "triangulate", points_stage, judge_points,
+       in_words({{"R", 9}, {"T", 3}, match})},
+      {"lines", "screen", "epipolar_line", lines_stage, judge_lines,
+       in_words({{"E", 9},
+                 {"left f, principal point", 3},
+                 {"right f, principal point", 3},
+                 {"pixel", 2, kAllThatFollow}})}};
   return all;
 }
 

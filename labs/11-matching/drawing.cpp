@@ -144,13 +144,22 @@ std::optional<WrongNumber> judge_depth(const Numbers&, const Numbers& yours,
 
 enum Stage : std::size_t { kCosts, kPaths, kLeft, kRight, kCheck, kDepth };
 const std::vector<DrawnStage>& stages() {
+  static const InputPart cost{"cost", 1, kAllThatFollow};
   static const std::vector<DrawnStage> all{
-      {"costs", "screen", "sad, census, hamming", costs_stage, judge_costs},
-      {"paths", "screen", "along_path", paths_stage, judge_costs},
-      {"left", "screen", "winner", left_stage, judge_left},
-      {"right", "screen", "right_winners", right_stage, judge_exactly},
-      {"check", "screen", "left_right_check", check_stage, judge_exactly},
-      {"depths", "depth", "depth", depth_stage, judge_depth}};
+      {"costs", "screen", "sad, census, hamming", costs_stage, judge_costs,
+       in_words({{"disparities"},
+                 {"width, height", 2},
+                 {"row"},
+                 {"grey value of pixel", 1, kAllThatFollow}})},
+      {"paths", "screen", "along_path", paths_stage, judge_costs,
+       in_words({{"disparities"}, {"P1, P2", 2}, cost})},
+      {"left", "screen", "winner", left_stage, judge_left, in_words({{"disparities"}, cost})},
+      {"right", "screen", "right_winners", right_stage, judge_exactly,
+       in_words({{"disparities"}, cost})},
+      {"check", "screen", "left_right_check", check_stage, judge_exactly,
+       in_words({{"tolerance"}, {"width"}, {"disparity", 1, kAllThatFollow}})},
+      {"depths", "depth", "depth", depth_stage, judge_depth,
+       in_words({{"focal length, baseline, offset", 3}, {"disparity", 1, kAllThatFollow}})}};
   return all;
 }
 

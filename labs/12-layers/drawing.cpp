@@ -208,12 +208,23 @@ std::optional<WrongNumber> judge_draw(const Numbers& in, const Numbers& yours,
 }
 
 const std::vector<DrawnStage>& stages() {
-  static const std::vector<DrawnStage> all{{"pack", "eye", "pack", pack, judge_pack},
-                                           {"matrix", "clip", "warp_matrix", matrix, judge_matrix},
-                                           {"row", "screen", "warp_row", row, judge_row},
-                                           {"size", "coverage", "splat_size", size, judge_size},
-                                           {"order", "depth", "visiting_order", order, judge_order},
-                                           {"draw", "shading", "draw", draw_samples, judge_draw}};
+  static const std::vector<DrawnStage> all{
+      {"pack", "eye", "pack", pack, judge_pack,
+       in_words({{"width, height", 2},
+                 {"epsilon"},
+                 {"x, y, depth, colour of sample", 4, kAllThatFollow}})},
+      {"matrix", "clip", "warp_matrix", matrix, judge_matrix,
+       in_words({{"first matrix", 16}, {"second matrix", 16}})},
+      {"row", "screen", "warp_row", row, judge_row,
+       in_words({{"warp", 16}, {"y"}, {"depths of pixel", kCounted, kAllThatFollow}})},
+      {"size", "coverage", "splat_size", size, judge_size,
+       in_words({{"F2/F1"}, {"w of sample", 1, kAllThatFollow}})},
+      {"order", "depth", "visiting_order", order, judge_order,
+       in_words({{"epipole times w"}, {"w"}, {"columns"}})},
+      {"draw", "shading", "draw", draw_samples, judge_draw,
+       in_words({{"width, height", 2},
+                 {"background"},
+                 {"x w, y w, z w, w, side, colour of sample", 6, kAllThatFollow}})}};
   return all;
 }
 enum Stage : std::size_t { kPack, kMatrix, kRow, kSize, kOrder, kDraw };

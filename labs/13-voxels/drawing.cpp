@@ -99,8 +99,16 @@ std::optional<WrongNumber> judge_sweep(const Numbers&, const Numbers& yours,
 
 const std::vector<DrawnStage>& stages() {
   static const std::vector<DrawnStage> all{
-      {"order", "world", "classify", order, judge_order},
-      {"sweep", "depth", "sweep, judge, statistics", sweep, judge_sweep}};
+      {"order", "world", "classify", order, judge_order,
+       in_words({{"low corner", 3}, {"high corner", 3}, {"camera", 3, kAllThatFollow}})},
+      {"sweep", "depth", "sweep, judge, statistics", sweep, judge_sweep,
+       in_words({{"voxels along x, y, z", 3},
+                 {"axis"},
+                 {"away"},
+                 {"k1, k2", 2},
+                 {"P of the first picture", 12},
+                 {"its width, height", 2},
+                 {"colour of pixel", 1, kAllThatFollow}})}};
   return all;
 }
 enum Stage : std::size_t { kOrder, kSweep };

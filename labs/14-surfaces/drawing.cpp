@@ -62,8 +62,10 @@ std::optional<WrongNumber> judge_shares(const Numbers&, const Numbers& yours,
 
 const std::vector<DrawnStage>& surface_stages() {
   static const std::vector<DrawnStage> all{
-      {"polygons", "world", "cell_polygons", surface_polygons, judge_polygons},
-      {"shares", "world", "crossing", surface_shares, judge_shares}};
+      {"polygons", "world", "cell_polygons", surface_polygons, judge_polygons,
+       in_words({{"inside corners (a bit for each) of cell", 1, kAllThatFollow}})},
+      {"shares", "world", "crossing", surface_shares, judge_shares,
+       in_words({{"level"}, {"values at the ends of edge", 2, kAllThatFollow}})}};
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/options/scene_input.h"
+#include "cli/report/text_layout.h"
 #include "inspect/page.h"
 
 #include <glassbox/base/printable.h>
@@ -36,9 +37,7 @@ std::string record_text(const labs::DrawingResult& result, const WrongRecord& re
     text +=
         fmt::format("      distance   {:.6g}{}; at most {:.6g} is allowed\n",
                     std::abs(n.yours - n.reference), n.unit.empty() ? "" : " " + n.unit, n.bound);
-  text += "    its input:";
-  for (const double x : record.given) text += fmt::format(" {}", x);
-  return text + (record.given.size() == 12 ? " ...\n" : "\n");
+  return text + wrapped("    ", "its input: " + record.input);
 }
 
 std::string seen_text(const std::optional<std::uint32_t>& triangle) {
@@ -115,6 +114,7 @@ Json record_json(const labs::DrawingResult& result, const WrongRecord& record) {
   json["reference"] = n.reference;
   json["bound"] = n.bound;
   json["unit"] = n.unit;
+  json["input"] = record.input;
   if (!n.explanation.empty()) json["explanation"] = n.explanation;
   return json;
 }

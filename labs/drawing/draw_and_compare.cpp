@@ -66,11 +66,9 @@ public:
       keep(std::size_t(judged - result_.stages.begin()), judged->records - 1, questions[i],
            (*yours)[i], reference, wrong);
       if (!wrong || ++judged->wrong > kMaxWrong) continue;
-      constexpr std::size_t kKept = 12;
-      result_.wrong.push_back(
-          {std::size_t(judged - result_.stages.begin()), std::size_t(judged->records - 1),
-           questions[i].triangle, std::move(*wrong),
-           Numbers(in.begin(), in.begin() + std::ptrdiff_t(std::min(in.size(), kKept)))});
+      result_.wrong.push_back({std::size_t(judged - result_.stages.begin()),
+                               std::size_t(judged->records - 1), questions[i].triangle,
+                               std::move(*wrong), stage.restate(in)});
     }
     return yours;
   }

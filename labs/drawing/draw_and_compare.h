@@ -18,7 +18,7 @@ struct WrongRecord {
   std::size_t record = 0;  // its index among the records (inputs) of that stage
   std::uint32_t triangle = kNone;
   WrongNumber number;
-  Numbers given;  // the first numbers of the input
+  std::string input;  // in words
 };
 
 // An input that is kept for display, with the first numbers of the student's answer and of the

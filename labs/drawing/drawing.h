@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "labs/drawing/input_words.h"
 #include "labs/framework/stages.h"
 
 #include <glassbox/base/error.h>
@@ -57,6 +58,8 @@ struct DrawnStage {
   std::function<std::optional<WrongNumber>(const Numbers& in, const Numbers& yours,
                                            const Numbers& reference)>
       judge;
+  // The input in words: input_words.h.
+  std::function<std::string(const Numbers& in)> restate;
 };
 
 // What answers the questions: the student's process, or the reference.

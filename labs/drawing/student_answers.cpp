@@ -89,15 +89,6 @@ std::optional<std::vector<Numbers>> answers_of(const std::string& bytes, std::si
   return answers;
 }
 
-// The first numbers of a record, as many as fit on a line.
-std::string record_text(const Question& question) {
-  constexpr std::size_t kShown = 12;
-  std::string text;
-  for (std::size_t i = 0; i < question.numbers.size() && i < kShown; ++i)
-    text += fmt::format("{}{}", i == 0 ? "" : ", ", question.numbers[i]);
-  return text + (question.numbers.size() > kShown ? ", ..." : "");
-}
-
 }  // namespace
 
 StudentAnswers::StudentAnswers(const grading::Sandbox& sandbox, std::filesystem::path program,
@@ -179,7 +170,7 @@ Result<std::vector<Numbers>> StudentAnswers::ask_batch(const DrawnStage& stage, 
   if (begun > 0) {
     const Question& question = batch[begun - 1];
     if (question.triangle != kNone) text += fmt::format(", at triangle {}", question.triangle);
-    text += fmt::format("\n  its input: {}", record_text(question));
+    text += "\n  its input: " + stage.restate(question.numbers);
   }
   failure_ = text;
   return fail("student.cpp", text, "");

@@ -34,7 +34,7 @@ const std::vector<Entry>& entries() {
 
 // The stage that timed.cpp defines.
 DrawnStage stage_of(const LabMeasure& lab) {
-  return {"measured", "", lab.functions, {}, {}};
+  return {"measured", "", lab.functions, {}, {}, in_words({{"number", 1, kAllThatFollow}})};
 }
 
 Ask ask_function(const DrawnStage& stage, StudentAnswers& student) {
