@@ -33,6 +33,7 @@
 #include "study/experiment/pareto.h"
 #include "study/experiment/results.h"
 #include "study/experiment/runner.h"
+#include "study/experiment/timing.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -131,9 +132,16 @@ std::string measure_text(const labs::Lab& lab, const labs::LabMeasure& measured,
   if (!untouched.empty())
     text += "\n" + wrapped("  Not written yet, and not measured: ",
                            fmt::format("{}", fmt::join(untouched, "; ")));
-  return text +
-         "\nfront: no other point of the chart is at least as exact and clearly faster; behind X: "
-         "X is at least\nas exact and clearly faster.\n";
+  text +=
+      "\nfront: no other point of the chart is at least as exact and clearly faster; behind X: "
+      "X is at least\nas exact and clearly faster.\n";
+  const auto is_disturbed = [&](const ConfigurationResult& each) {
+    const Timing* const time = study::timing_of(each, 1);
+    return is_theirs(each, series) && time != nullptr && time->disturbed > 0;
+  };
+  return std::ranges::any_of(result.configurations, is_disturbed)
+             ? text + wrapped("", study::kDisturbedMeaning)
+             : text;
 }
 
 class LabMeasureCommand {

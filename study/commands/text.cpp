@@ -13,6 +13,7 @@
 #include "study/experiment/measures.h"
 #include "study/experiment/pareto.h"
 #include "study/experiment/theory.h"
+#include "study/experiment/timing.h"
 
 #include <glassbox/base/counted.h>
 
@@ -20,16 +21,19 @@ namespace glassbox::study {
 
 namespace {
 
+bool is_disturbed(const ConfigurationResult& result) {
+  return std::ranges::any_of(result.timings,
+                             [](const Timing& timing) { return timing.disturbed > 0; });
+}
+
 std::string mark_of(const ConfigurationResult& result, Standing standing) {
   const auto check = study::check_theory(result);
   const bool finding = check && check->finding;
   std::string mark = standing == Standing::kFront       ? "front"
                      : standing == Standing::kDominated ? "dominated"
                                                         : "";
-  const bool disturbed = std::ranges::any_of(
-      result.timings, [](const Timing& timing) { return timing.disturbed > 0; });
   if (finding) mark += mark.empty() ? "finding" : ", finding";
-  if (disturbed) mark += ", disturbed";
+  if (is_disturbed(result)) mark += ", disturbed";
   return mark;
 }
 
@@ -132,6 +136,8 @@ std::string experiment_text(const ExperimentResult& result) {
                                      (part.more_is_better ? "; more is better" : ""));
     text += "\n" + table_of(part);
   }
+  if (std::ranges::any_of(result.configurations, is_disturbed))
+    text += "\n" + wrapped("  ", kDisturbedMeaning);
   text += "\n";
   return text + findings_of(result);
 }

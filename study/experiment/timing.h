@@ -25,6 +25,11 @@ struct Timed {
   int disturbed = 0;
 };
 
+// What a report says below a table that marks times with this word.
+inline constexpr const char* kDisturbedMeaning =
+    "disturbed: another program used the machine while this was measured; on a quiet machine the "
+    "time may be shorter";
+
 // The processor time, in seconds, of 100,000 multiplications, each with the result of the one
 // before.
 double seconds_of_products();

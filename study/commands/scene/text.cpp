@@ -8,6 +8,7 @@
 #include "cli/report/text_layout.h"
 #include "study/commands/bench/report.h"
 #include "study/commands/scene/curve_report.h"
+#include "study/experiment/timing.h"
 
 #include <glassbox/base/counted.h>
 #include <glassbox/base/printable.h>
@@ -114,6 +115,8 @@ std::string curve_text(const CurveReport& report) {
                             [](const CurvePoint& p) { return p.standing.has_value(); }),
       curve.different);
   text += table_of(best, unit);
+  if (std::ranges::any_of(curve.points, [](const CurvePoint& p) { return p.disturbed > 0; }))
+    text += wrapped("  ", kDisturbedMeaning);
   text += second_eyes_text(report.second_eyes);
   if (!curve.skipped.empty()) text += "\nNot varied\n";
   for (const study::SkippedKnob& each : curve.skipped)
