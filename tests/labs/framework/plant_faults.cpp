@@ -164,6 +164,7 @@ std::vector<Fault> faults_of(const Sources& sources, const Lab& lab) {
     fault.slip = json.value("slip", "");
     fault.headline = json.value("headline", false);
     fault.stage = json.value("stage", "");
+    fault.unseen = json.value("unseen", "");
     faults.push_back(fault);
   }
   return faults;

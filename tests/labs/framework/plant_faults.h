@@ -18,6 +18,9 @@ struct Fault {
   bool headline = false;  // violates the task's main requirement: a visible check must find it
   // stage that a report must name; only for faults that are compiled by themselves
   std::string stage = {};
+  // The reason why no picture of the lab shows the fault; only for faults with a slip. If empty,
+  // one does (tests/labs/drawing/slip_pictures_test.cpp).
+  std::string unseen = {};
 };
 
 // Returns the faults in the order of the file.
