@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <glassbox/raster/fan.h>
 #include <glassbox/raster/triangle_setup.h>
 
 namespace glassbox::labs {
