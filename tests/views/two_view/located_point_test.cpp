@@ -411,6 +411,19 @@ TEST_CASE("a match whose point is nowhere to be seen is named (C-107)") {
   }
 }
 
+TEST_CASE("a match with a pixel at the epipole is not moved, and is no NaN") {
+  // Both cameras look along the baseline, so the epipoles are at (0, 0).
+  Matrix3d forward;
+  forward << 0, -1, 0, 1, 0, 0, 0, 0, 0;
+  for (const Match& match : {Match{{0, 0}, {0.1, 0.2}}, Match{{0.3, 0.1}, {0, 0}}}) {
+    for (const Match& moved :
+         {corrected_by_roots(match, forward), corrected_by_iteration(match, forward)}) {
+      CHECK(moved.left == match.left);
+      CHECK(moved.right == match.right);
+    }
+  }
+}
+
 TEST_CASE("rays of points at infinity are named nearly parallel, and those of near points never") {
   std::mt19937 random(35);
   constexpr int kCount = 2000;
