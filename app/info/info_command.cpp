@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/info/info_sections.h"
+#include "app/info/info_tables.h"
 #include "app/why/verdict_text.h"
 #include "cli/options/add_command.h"
 #include "cli/options/builtin_help.h"
@@ -35,10 +36,13 @@ public:
 private:
   int run();
   int tell_of_layers() const;  // reports on the file of a layered depth image
+  Result<void> check_options() const;
 
   std::string scene_;
   std::optional<std::string> json_output_;
   std::optional<std::string> glb_output_;
+  bool has_tables_ = false;
+  std::optional<std::uint32_t> rows_;  // of each table
 };
 
 namespace {
@@ -61,6 +65,8 @@ std::string bounds_text(const Box<Space>& box) {
 
 // Names, lists of extensions and warnings are cut after this number of characters.
 constexpr std::size_t kLongText = 1000;
+
+constexpr std::uint32_t kUsualRows = 20;
 
 std::string alpha_name(AlphaMode mode) {
   switch (mode) {
@@ -284,17 +290,37 @@ void InfoCommand::add_to(CLI::App& app, int& exit_code) {
       "  glassbox info duck.glb\n"
       "  glassbox info part.obj --json - | jq '.meshes[0].open_edges'\n"
       "  glassbox info teapot --write teapot.glb\n"
+      "  glassbox info cube --tables --rows 4\n"
       "  glassbox info room.ldi\n\n"
+      "--tables prints the tables of each mesh: vertices, edges and faces with their neighbours, "
+      "and the\n"
+      "faces' normals by the product of two edges and by Newell's sums (docs/command_line.md).\n"
       "For a layered depth image (docs/layers.md) it prints the number of samples and the "
       "camera.\n\n" +
       builtin_help());
   command.add_option("SCENE", scene_, kSceneHelp)->required();
   add_json_output(command, json_output_);
   command.add_option("--write", glb_output_, "write the scene as GLB")->type_name("FILE.glb");
+  command.add_flag("--tables", has_tables_,
+                   "tables of vertices, edges and faces, with neighbours and normals");
+  command
+      .add_option("--rows", rows_,
+                  fmt::format("rows of each table; the rest is counted [{}]", kUsualRows))
+      ->type_name("N");
   command.callback([this, &exit_code] { exit_code = run(); });
 }
 
+Result<void> InfoCommand::check_options() const {
+  if (rows_ && !has_tables_) {
+    return fail("--rows", "it is only for --tables", "add --tables, or leave this option out");
+  }
+  return glb_output_ ? check_extension(*glb_output_, ".glb") : Result<void>();
+}
+
 int InfoCommand::tell_of_layers() const {
+  if (has_tables_)
+    return refuse(
+        {scene_, "--tables", "a layered depth image has no meshes", "leave --tables out"});
   if (glb_output_)
     return refuse({scene_, "--write", "a layered depth image is not a scene", "leave --write out"});
   const Result<LayersInfo> info = layers_info(scene_);
@@ -308,10 +334,7 @@ int InfoCommand::tell_of_layers() const {
 }
 
 int InfoCommand::run() {
-  if (glb_output_) {
-    if (const auto legal = check_extension(*glb_output_, ".glb"); !legal)
-      return refuse(legal.error());
-  }
+  if (const auto legal = check_options(); !legal) return refuse(legal.error());
   if (is_layer_file(scene_)) return tell_of_layers();
   const Result<SceneAndBytes> loaded = load_scene_and_bytes(scene_);
   if (!loaded) return refuse(loaded.error());
@@ -321,6 +344,7 @@ int InfoCommand::run() {
   std::vector<MeshReport> reports;
   for (const Mesh& mesh : scene.meshes) reports.push_back(mesh_report(mesh));
 
+  const std::size_t rows = rows_.value_or(kUsualRows);
   const std::vector<std::string> stiff = numerical_warnings(scene);
   const std::vector<std::string> surfaces = surface_findings(scene, std::nullopt);
 
@@ -330,6 +354,10 @@ int InfoCommand::run() {
   }
   if (json_output_) {
     Json json = scene_json(scene, reports);
+    if (has_tables_) {
+      for (std::size_t i = 0; i < scene.meshes.size(); ++i)
+        json["meshes"][i]["tables"] = tables_json(scene.meshes[i], rows);
+    }
     add_contents(contents->value_or(GltfContents()), json);
     json["stiffness"] = stiff;
     json["surfaces"] = surfaces;
@@ -342,6 +370,7 @@ int InfoCommand::run() {
     print_warnings(scene);
     for (const std::string& line : surfaces) fmt::print("  {}\n", line);
     for (const std::string& line : stiff) fmt::print("  {}\n", line);
+    if (has_tables_) fmt::print("{}", tables_text(scene, rows));
   }
   return kSuccess;
 }

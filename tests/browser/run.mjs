@@ -1,7 +1,7 @@
 // The pages of `glassbox bench --html`, `glassbox diff --html`, `glassbox inspect`, `glassbox stereo --html`, `glassbox study extremes
 // --html`, `glassbox study report`, `glassbox study scene --html`, `glassbox study stiffness`, `glassbox views geometry --draw`,
-// `glassbox views glyphs find --html`, `glassbox views klt --html`, `glassbox views layers draw --html`, `glassbox views match --html` and
-// `glassbox views voxels --html` in a browser, and the recipe for Playwright.
+// `glassbox views glyphs find --html`, `glassbox views klt --html`, `glassbox views layers draw --html`, `glassbox views match --html`,
+// `glassbox views triangulate --html` and `glassbox views voxels --html` in a browser, and the recipe for Playwright.
 //
 //     node run.mjs PROGRAM DIRECTORY [WORDS]
 //
@@ -28,6 +28,7 @@ import "./stiffness_tests.mjs";
 import "./study_tests.mjs";
 import "./using_tests.mjs";
 import "./surface_tests.mjs";
+import "./triangulate_tests.mjs";
 import "./voxels_tests.mjs";
 
 let failed = 0;

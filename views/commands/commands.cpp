@@ -9,6 +9,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   command.footer(
       "Examples:\n"
       "  glassbox views geometry --scene room --eye-separation 0.3\n"
+      "  glassbox views triangulate --scene room --eye-separation 0.3 --noise 0.5\n"
       "  glassbox views match --scene room --eye-separation 0.2 -o disparity.pfm\n"
       "  glassbox views layers build room -o room.ldi\n"
       "  glassbox views ring teapot -o ring\n"
@@ -23,6 +24,7 @@ void add_commands(CLI::App& app, int& exit_code) {
       "docs/glyphs.md from coloured discs to the camera.");
   command.require_subcommand(1);
   add_geometry_command(command, exit_code);
+  add_triangulate_command(command, exit_code);
   add_match_command(command, exit_code);
   add_layers_command(command, exit_code);
   add_ring_command(command, exit_code);

@@ -15,6 +15,7 @@ void add_commands(CLI::App& app, int& exit_code);
 // add_commands calls these to add the subcommands of `views`. Each is defined in the source file of
 // its name.
 void add_geometry_command(CLI::App& views, int& exit_code);
+void add_triangulate_command(CLI::App& views, int& exit_code);
 void add_match_command(CLI::App& views, int& exit_code);
 void add_layers_build_command(CLI::App& views, int& exit_code);
 void add_layers_draw_command(CLI::App& views, int& exit_code);

@@ -43,6 +43,13 @@ struct EpipolarFrame {
   double f = 0;
 };
 
+// Whether a homogeneous point is the pixel, to within some roundings of its coordinates.
+bool is_at(const Vector3d& point, const Vector2d& pixel) {
+  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+  const Vector3d expected = pixel.homogeneous();
+  return point.cross(expected).norm() <= kRounding * point.norm() * expected.norm();
+}
+
 EpipolarFrame epipolar_frame(const Vector2d& point, const Vector3d& epipole) {
   Matrix3d moved = Matrix3d::Identity();
   moved.col(2).head<2>() = -point;
@@ -75,8 +82,10 @@ Eigen::VectorXd product(const Eigen::VectorXd& p, const Eigen::VectorXd& q) {
 // at these roots and for t at infinity.
 Match corrected_by_roots(const Match& pixels, const Matrix3d& fundamental) {
   const Eigen::JacobiSVD<Matrix3d> svd(fundamental, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const EpipolarFrame left = epipolar_frame(pixels.left, svd.matrixV().col(2));
-  const EpipolarFrame right = epipolar_frame(pixels.right, svd.matrixU().col(2));
+  const Vector3d left_epipole = svd.matrixV().col(2), right_epipole = svd.matrixU().col(2);
+  if (is_at(left_epipole, pixels.left) || is_at(right_epipole, pixels.right)) return pixels;
+  const EpipolarFrame left = epipolar_frame(pixels.left, left_epipole);
+  const EpipolarFrame right = epipolar_frame(pixels.right, right_epipole);
   const Matrix3d g =
       right.from_picture.transpose().inverse() * fundamental * left.from_picture.inverse();
   const double a = g(1, 1), b = g(1, 2), c = g(2, 1), d = g(2, 2), f = left.f, h = right.f;

@@ -71,20 +71,28 @@ Rays rays_of(const Match& pixels, const Matrix3d& left_intrinsic, const Matrix3d
 
 // For the directions d and e of the two rays in the left camera's space, solves the least squares
 // problem t_l d - t_r e = T for t_l and t_r. The determinant of the normal equations is |d x e|^2.
-Triangulated midpoint(const Rays& rays, const RelativePose& pose) {
+std::optional<ClosestPoints> closest_points(const Rays& rays, const RelativePose& pose) {
   const Vector3d d = rays.left, e = pose.rotation.transpose() * rays.right, t = pose.translation;
   const Vector3d across = d.cross(e);
   const double determinant = across.squaredNorm();
   // 8 u (u: the unit roundoff, 2^-53).
   constexpr double kParallel = 4 * std::numeric_limits<double>::epsilon();
-  if (determinant <= kParallel * kParallel * d.squaredNorm() * e.squaredNorm()) {
-    return in_scene({d.x(), d.y(), d.z(), 0}, pose, 0);
-  }
+  if (determinant <= kParallel * kParallel * d.squaredNorm() * e.squaredNorm()) return std::nullopt;
   const double along_left = t.cross(e).dot(across) / determinant;
   const double along_right = t.cross(d).dot(across) / determinant;
   const Vector3d on_left = along_left * d, on_right = t + along_right * e;
-  const Vector3d middle = (on_left + on_right) / 2;
-  return in_scene(middle.homogeneous(), pose, (on_left - on_right).norm());
+  return ClosestPoints{along_left * d.norm(), along_right * e.norm(), on_left, on_right,
+                       (on_left - on_right).norm()};
+}
+
+Triangulated midpoint(const Rays& rays, const RelativePose& pose) {
+  const auto closest = closest_points(rays, pose);
+  if (!closest) {
+    const Vector3d& direction = rays.left;
+    return in_scene({direction.x(), direction.y(), direction.z(), 0}, pose, 0);
+  }
+  const Vector3d middle = (closest->on_left + closest->on_right) / 2;
+  return in_scene(middle.homogeneous(), pose, closest->gap);
 }
 
 Matrix3d fundamental_of(const StereoRig& rig) {

@@ -2,6 +2,8 @@
 // camera's space.
 #pragma once
 
+#include <optional>
+
 #include "views/two_view/camera.h"
 #include "views/two_view/match.h"
 
@@ -14,6 +16,18 @@ struct Rays {
 };
 Rays rays_of(const Match& pixels, const Matrix3d& left_intrinsic, const Matrix3d& right_intrinsic);
 
+// Where two rays are closest to each other, in the left camera's space: at t_l d_l and T + t_r R^T
+// d_r for directions of length 1. The distances t_l and t_r are negative behind a camera.
+struct ClosestPoints {
+  double along_left = 0, along_right = 0;  // t_l and t_r
+  Vector3d on_left = Vector3d::Zero(), on_right = Vector3d::Zero();
+  double gap = 0;  // the distance between them
+};
+
+// None if the rays are parallel to within the rounding of their directions (8 u, where u = 2^-53 is
+// the unit roundoff).
+std::optional<ClosestPoints> closest_points(const Rays& rays, const RelativePose& pose);
+
 // A triangulated point. Parallel rays meet at infinity (C-107): then the last number is 0, and the
 // first three are the direction.
 struct Triangulated {
@@ -24,9 +38,8 @@ struct Triangulated {
   bool is_finite() const { return point.w() != 0; }
 };
 
-// The slides' midpoint method: the middle of the shortest segment between the rays t_l d_l and T +
-// t_r R^T d_r, where d_l and d_r are their directions. Rays are taken for parallel if they are so
-// to within the rounding of their directions (8 u, where u = 2^-53 is the unit roundoff).
+// The slides' midpoint method: the middle of the shortest segment between the rays. It is at
+// infinity if closest_points() takes the rays for parallel.
 Triangulated midpoint(const Rays& rays, const RelativePose& pose);
 
 // Two cameras whose relative pose is known.
@@ -47,7 +60,8 @@ Triangulated triangulate_linear_normalised(const Match& pixels, const StereoRig&
 
 // The nearest two pixels, in the least squares sense, that fulfil the epipolar constraint; their
 // rays meet. By iteration: Lindstrom, Triangulation Made Easy, CVPR 2010 (two iterations). By
-// roots: Hartley and Sturm, Triangulation, CVIU 68, 1997 (the roots of a polynomial of degree 6).
+// roots: Hartley and Sturm, Triangulation, CVIU 68, 1997 (the roots of a polynomial of degree 6). A
+// pixel at the epipole fulfils the constraint with every pixel, so such a match is not changed.
 Match corrected_by_iteration(const Match& pixels, const Matrix3d& fundamental);
 Match corrected_by_roots(const Match& pixels, const Matrix3d& fundamental);
 
