@@ -175,8 +175,8 @@ struct GeometryMatching {
 void add_matching_options(CLI::App& command, GeometryMatching& matching);
 Result<void> check_matching(const GeometryMatching& matching);
 
-// Adds the matches of the input's pictures to the input. Errors: pictures that are too small or have
-// no corners, and fewer than 8 matches.
+// Adds the matches of the input's pictures to the input. Errors: pictures that are too small or
+// have no corners, and fewer than 8 matches.
 Result<void> find_matches(const GeometryMatching& matching, GeometryInput& input);
 
 // The matches as a command line asks for them: "sift, ratio at most 0.8, cross-checked".

@@ -14,8 +14,8 @@ struct Feature {
 };
 
 // Features are at least this many pixels of their level away from the level's edges. No descriptor
-// reads beyond it: the farthest sample is that of a SIFT gradient, 2.5 sqrt(2) cells of 4 px and one
-// pixel away.
+// reads beyond it: the farthest sample is that of a SIFT gradient, 2.5 sqrt(2) cells of 4 px and
+// one pixel away.
 inline constexpr int kFeatureMargin = 16;
 
 enum class Description {

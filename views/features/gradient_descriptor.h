@@ -25,8 +25,8 @@ std::vector<double> gradient_angles(const Image<float>& grey, double x, double y
 // The cells turn with the feature, and so do the directions. Each gradient is divided between the 8
 // nearest bins by trilinear interpolation, with a Gaussian weight of half the cells' width. The
 // vector is scaled to length 1, its elements are cut off at 0.2, and it is scaled to length 512
-// again; elements above 255 are cut off. (x, y) is in px of `grey`, and at least kFeatureMargin from
-// its edges.
+// again; elements above 255 are cut off. (x, y) is in px of `grey`, and at least kFeatureMargin
+// from its edges.
 GradientDescriptor gradient_descriptor(const Image<float>& grey, double x, double y, double angle);
 
 // The length of the difference; descriptors have about the length 512.

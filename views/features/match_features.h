@@ -29,10 +29,10 @@ struct FeatureMatch {
 // coarser one's level, in x and in y: one corner is found at several scales.
 inline constexpr double kSamePlace = 3;
 
-// The matches in the order of the left features. Of matches whose features are at one place in both
-// pictures, the one of the finest left feature is kept, and of these the one of least distance. Both
-// sets must have the same kind of descriptor. All pairs are compared: the time is proportional to
-// the product of the numbers of features.
+// The matches in the order of the left features. If the features of several matches are at one
+// place in both pictures, the match of the finest left feature is kept, and the one of least
+// distance if there are several of these. Both sets must have the same kind of descriptor. All
+// pairs are compared: the time is proportional to the product of the numbers of features.
 std::vector<FeatureMatch> match_features(const FeatureSet& left, const FeatureSet& right,
                                          const MatchRules& rules);
 

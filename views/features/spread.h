@@ -14,8 +14,8 @@ namespace glassbox::views {
 // 3.)
 //
 // Radii above R = 2 sqrt(width height/(pi count)) count as R: about `count` corners can be R apart
-// from each other, because circles of half that radius around them do not overlap. Of equal radii
-// the stronger corner counts.
+// from each other, because circles of half that radius around them do not overlap. If radii are
+// equal, the stronger corner counts.
 inline constexpr double kClearlyWeaker = 0.9;
 std::vector<PictureCorner> spread_out(std::vector<PictureCorner> corners, int count, int width,
                                       int height);

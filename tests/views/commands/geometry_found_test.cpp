@@ -60,10 +60,10 @@ TEST_CASE("corners of two drawn pictures give their cameras, with every detector
     CHECK(json["found"]["corners_left"].get<int>() > 200);
     CHECK(json["matches"].size() > 50);
     CHECK(json["inliers"].get<int>() > 0.4 * double(json["matches"].size()));
-    // The floor and the walls repeat themselves, so that up to six in ten matches are wrong. Corners
-    // are half a pixel off, and those of coarse scales two: with a focal length of 346 px the latter
-    // is a third of a degree. The baseline is a tenth of the distance, so the direction of T is some
-    // ten times as uncertain.
+    // The floor and the walls repeat themselves, so that up to six in ten matches are wrong.
+    // Corners are half a pixel off, and those of coarse scales two: with a focal length of 346 px
+    // the latter is a third of a degree. The baseline is a tenth of the distance, so the direction
+    // of T is some ten times as uncertain.
     CHECK(json["truth"]["rotation_error_degrees"] < 0.5);
     CHECK(json["truth"]["direction_error_degrees"] < 4);
     for (const Json& match : json["matches"]) {

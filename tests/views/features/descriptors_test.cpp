@@ -66,7 +66,7 @@ TEST_CASE("grey levels between four pixels are those of the bilinear function th
 }
 
 TEST_CASE("a coarser level shows the same at the same places") {
-  // Of a smooth function, smoothing changes little: sin(x/20) by sigma^2/800, with sigma of 1.2 px.
+  // Smoothing changes a smooth function little: sin(x/20) by sigma^2/800, with sigma of 1.2 px.
   const auto smooth = [](const Vector2d& at) {
     return 0.5 + 0.4 * sin_cos(at.x() / 20).sin * sin_cos(at.y() / 25).cos;
   };
@@ -170,6 +170,31 @@ TEST_CASE("a descriptor of gradients has the length 512, and none of a flat pict
   const Image<float> flat(60, 60, 99.0f);
   CHECK(gradient_angles(flat, 30, 30) == std::vector{0.0});
   CHECK(std::ranges::all_of(gradient_descriptor(flat, 30, 30, 0), [](auto v) { return v == 0; }));
+}
+
+TEST_CASE("a ramp has one direction in every cell, and what is above 0.2 is cut off") {
+  Image<float> ramp(60, 60);
+  for (int y = 0; y < 60; ++y) {
+    for (int x = 0; x < 60; ++x) ramp.at(x, y) = 3 * float(x);
+  }
+  const auto own = gradient_descriptor(ramp, 30, 30, 0);
+  // By the Gaussian weights, the numbers of the four inner cells, the eight at the edges and the
+  // four at the corners are about as 0.88, 0.53 and 0.32 under the root: 0.31, 0.24 and 0.19 of the
+  // length. Cut off at 0.2, inner cells and edges are alike.
+  const auto value = [&](int cell, int direction) {
+    return int(own[std::size_t(cell * kDirections + direction)]);
+  };
+  for (int cell = 0; cell < kCells * kCells; ++cell) {
+    const bool is_corner = cell == 0 || cell == 3 || cell == 12 || cell == 15;
+    if (is_corner) {
+      CHECK(value(cell, 0) < value(5, 0));
+      CHECK(value(cell, 0) > value(5, 0) / 2);
+    } else {
+      CHECK(value(cell, 0) == value(5, 0));
+    }
+    for (int direction = 1; direction < kDirections; ++direction)
+      CHECK(value(cell, direction) == 0);
+  }
 }
 
 TEST_CASE("a gain and an offset change no bit, and no histogram by more than rounding") {
