@@ -49,7 +49,7 @@ test("geometry: keys move the point and go from match to match", async () => {
   const opened = await openPage(geometry("general", ...general)), {page} = opened, {F, matches} = await manifestOf(page);
   assert.match(await readout(page), /^Match 1 of 100/);
   await page.locator("#shown :checked").focus();
-  for (const id of ["previous", "next", "left"]) {
+  for (const id of ["connected", "previous", "next", "left"]) {
     await page.keyboard.press("Tab");
     assert.equal(await page.evaluate(() => document.activeElement.id), id);
   }
@@ -83,8 +83,53 @@ test("geometry: the residual's colour fills an inlier's dot", async () => {
   return opened;
 });
 
+// The page of matches that were found in the pair of `general`.
+function foundPage() {
+  geometry("general", ...general, "--pair-out", "left.png", "right.png");
+  return geometry("found", "--pair", "left.png", "right.png", "--ratio", "0.9");
+}
+const linkEnds = (page, kind) => page.locator(`#links ${kind}`).evaluateAll((all) =>
+  all.map((one) => one.getAttribute("d").slice(1).split("L").map((end) => end.split(",").map(Number))));
+
+test("geometry: found matches are connected, inliers by whole lines and the others by dashed ones", async () => {
+  const opened = await openPage(foundPage()), {page} = opened, {matches} = await manifestOf(page);
+  const inliers = matches.filter(({inlier}) => inlier).length;
+  assert.ok(inliers > 20 && inliers < matches.length, `${inliers} of ${matches.length}`);
+  assert.equal(await page.locator("#links .link").count(), matches.length);
+  assert.equal(await page.locator("#links .link.far").count(), matches.length - inliers);
+  const dashes = (kind) => page.locator(`#links .link${kind}`).first().evaluate((one) => getComputedStyle(one).strokeDasharray);
+  assert.equal(await dashes(":not(.far)"), "none");
+  assert.notEqual(await dashes(".far"), "none");
+  // The ends of the first line are on the first match's points in the two pictures.
+  const ends = (await linkEnds(page, ".link"))[0], corner = await page.locator("#pair").boundingBox();
+  for (const [i, side] of ["left", "right"].entries()) {
+    const box = await page.locator(`#${side}`).boundingBox(), [x, y] = matches[0][side];
+    assert.ok(Math.hypot(corner.x + ends[i][0] - box.x - x * box.width / 320, corner.y + ends[i][1] - box.y - y * box.height / 240) < 1, side);
+  }
+  await page.locator("#shown [value=others]").check({force: true});
+  assert.equal(await page.locator("#links .link").count(), matches.length - inliers);
+  await page.click("#next");
+  assert.equal(await page.locator("#links .chosen.far").count(), 1);
+  assert.match(await readout(page), /not an inlier\. Its ratio to the second nearest is 0\.\d\d\.$/);
+  await page.locator("#connected").uncheck();
+  assert.equal(await page.locator("#links path").count(), 0);
+  return opened;
+});
+
+test("geometry: lines between the pictures follow them when the window changes", async () => {
+  const opened = await openPage(foundPage()), {page} = opened, {matches} = await manifestOf(page);
+  await page.setViewportSize({width: 420, height: 900});
+  await page.waitForFunction(() => document.getElementById("left").getBoundingClientRect().right < 420);
+  await page.waitForTimeout(100);
+  const ends = (await linkEnds(page, ".link"))[0], corner = await page.locator("#pair").boundingBox();
+  const box = await page.locator("#right").boundingBox(), [x, y] = matches[0].right;
+  assert.ok(Math.hypot(corner.x + ends[1][0] - box.x - x * box.width / 320, corner.y + ends[1][1] - box.y - y * box.height / 240) < 1);
+  return opened;
+});
+
 test("geometry: every control has a name, and nothing is wider than the screen", async () => {
-  for (const [name, words] of [["general", general], ["turned", [...room, "--turn", "8,0,0", "--noise", "0.5"]], ["tiny", ["--scene", "room", "--size", "8x8", "--eye-separation", "0.3"]]]) {
+  foundPage();
+  for (const [name, words] of [["general", general], ["found", ["--pair", "left.png", "right.png"]], ["turned", [...room, "--turn", "8,0,0", "--noise", "0.5"]], ["tiny", ["--scene", "room", "--size", "8x8", "--eye-separation", "0.3"]]]) {
     const made = geometry(name, ...words);
     for (const width of [360, 800, 1920]) {
       for (const colorScheme of ["light", "dark"]) {

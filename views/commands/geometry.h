@@ -14,6 +14,7 @@
 #include "cli/options/cli_fwd.h"
 #include "cli/options/picture_options.h"
 #include "cli/report/progress.h"
+#include "views/features/match_features.h"
 #include "views/files/camera_file.h"
 #include "views/two_view/analysis.h"
 #include "views/two_view/camera.h"
@@ -31,6 +32,14 @@ struct PixelVisibility {
   std::uint64_t seen = 0, hidden = 0, outside = 0, missing = 0, nothing = 0;
 };
 
+// Matches that were found in the pictures, and how.
+struct FoundMatches {
+  views::FeatureSettings settings;
+  views::MatchRules rules;
+  std::array<int, 2> corners{};              // left, right
+  std::vector<views::FeatureMatch> matches;  // in the order of the input's matches
+};
+
 struct GeometryInput {
   std::string description;       // "room, 640 x 480", "matches.csv"
   std::string pair_description;  // one line on how pair and matches were made; empty for files
@@ -38,6 +47,7 @@ struct GeometryInput {
   std::optional<std::array<views::Matrix3d, 2>> intrinsics;  // left, right
   std::optional<views::RelativePose> truth;                  // its translation T is in world units
   std::vector<bool> is_outlier;  // for each match, if it is known; else empty
+  std::optional<FoundMatches> found;
   std::optional<PixelVisibility> visibility;
   std::optional<std::array<Image<Rgba8>, 2>> pictures;
   std::array<std::string, 2> picture_names{"left", "right"};
@@ -149,9 +159,28 @@ struct GeometryFiles {
 // If the file has two cameras with other names, the first is the left one.
 Result<std::array<views::PinholeCamera, 2>> read_pair_cameras(const GeometryFiles& files);
 
-// Reads a pair, with the cameras as in read_pair_cameras. Errors: pictures of different sizes, and
+// Reads a pair, with the cameras as in read_pair_cameras. Without a file of matches the pictures
+// must be opaque, because their matches will be found. Errors: pictures of different sizes, and
 // files that the readers of views/files refuse.
 Result<GeometryInput> read_geometry_files(const GeometryFiles& files);
+
+// How the matches of two pictures are found if no file has them.
+struct GeometryMatching {
+  views::FeatureSettings settings;
+  views::MatchRules rules;
+  std::optional<double> search;             // px; absent: a quarter of the width for kNcc
+  std::vector<const CLI::Option*> options;  // those that add_matching_options has added
+};
+
+void add_matching_options(CLI::App& command, GeometryMatching& matching);
+Result<void> check_matching(const GeometryMatching& matching);
+
+// Adds the matches of the input's pictures to the input. Errors: pictures that are too small or
+// have no corners, and fewer than 8 matches.
+Result<void> find_matches(const GeometryMatching& matching, GeometryInput& input);
+
+// The matches as a command line asks for them: "sift, ratio at most 0.8, cross-checked".
+std::string matching_text(const FoundMatches& found);
 
 // The report in lines of at most 100 columns.
 std::string geometry_text(const GeometryInput& input, const GeometryReport& report);

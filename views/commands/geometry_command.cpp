@@ -41,10 +41,12 @@ public:
 private:
   void add_request_options(CLI::App& command);
   void add_output_options(CLI::App& command);
+  bool finds_matches() const { return files_.has_pair() && !files_.matches; }
   Result<void> check_sources() const;
   Result<void> check_request() const;
   Result<void> check_outputs() const;
   Result<GeometryInput> input(Progress& progress);
+  Result<GeometryInput> files_input(Progress& progress);
   Result<void> write_scene(const SceneGeometry& made) const;
   std::string command_line() const;
   Result<std::optional<RectifiedPair>> rectified_pair(const GeometryInput& input,
@@ -54,6 +56,7 @@ private:
   int run();
 
   GeometryFiles files_;
+  GeometryMatching matching_;
   GeometryScene scene_;
   GeometryRequest request_;
   bool sigma_given_ = false;
@@ -124,7 +127,7 @@ void ViewsGeometryCommand::add_request_options(CLI::App& command) {
 void ViewsGeometryCommand::add_output_options(CLI::App& command) {
   const std::string outputs = "Other outputs";
   command
-      .add_option("--draw", page_,
+      .add_option("--draw,--html", page_,
                   "a page with both pictures, each point's epipolar line in the other picture, and "
                   "the matches coloured by residual")
       ->type_name("FILE")
@@ -134,12 +137,13 @@ void ViewsGeometryCommand::add_output_options(CLI::App& command) {
                     "lines are scan lines: .png, transparent where they show nothing")
       ->group(outputs);
   add_json_output(command, json_output_)->group(outputs);
-  const std::string of_scene = "Outputs of a scene";
   command
       .add_option("--matches-out", matches_output_,
-                  "the matches, as --matches reads them; - is standard output")
+                  "the matches of a scene, or those that were found, as --matches reads them; - is "
+                  "standard output")
       ->type_name("FILE|-")
-      ->group(of_scene);
+      ->group(outputs);
+  const std::string of_scene = "Outputs of a scene";
   command.add_option("--cameras-out", cameras_output_, "both cameras, as --cameras reads them")
       ->type_name("FILE")
       ->group(of_scene);
@@ -157,9 +161,11 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
       "  glassbox views geometry --scene room --eye-separation 0.3\n"
       "  glassbox views geometry --scene room --move 0.5,0,0.2 --turn -10,0,0 --noise 0.5 "
       "--outliers 0.3\n"
+      "  glassbox views geometry --pair left.png right.png --matches-out m.csv --draw page.html\n"
       "  glassbox views geometry --pair left.png right.png --matches m.csv --cameras c.txt\n"
       "  glassbox views geometry --scene room --move 0.5,0,0 --turn -10,0,0 --rectified-out l.png "
       "r.png\n\n"
+      "Without --matches, the corners of the two pictures are matched.\n"
       "A file of matches has lines of x and y in the left picture, then in the right one, in "
       "pixels\n"
       "from the top left corner. A file of cameras has the form of vision.middlebury.edu/mview: "
@@ -180,6 +186,7 @@ void ViewsGeometryCommand::add_to(CLI::App& views, int& exit_code) {
                                      "are used, and the result is compared with their R and t")
                          ->type_name("FILE")
                          ->group(group));
+  add_matching_options(command, matching_);
   add_geometry_scene_options(command, scene_);
   const std::size_t before = command.get_options().size();
   add_request_options(command);
@@ -195,15 +202,27 @@ Result<void> ViewsGeometryCommand::check_sources() const {
     return fail("--scene", "this option draws the pair, but the pair is given as files too",
                 "leave out --pair, --matches and --cameras, or --scene");
   }
+  if (!finds_matches()) {
+    if (const auto words = option_words(matching_.options); !words.empty()) {
+      return fail(words.front(), "it is only for matches that are found in the pictures of --pair",
+                  scene_.scene
+                      ? "leave this option out, or write the pair with --pair-out and read "
+                        "it with --pair"
+                      : "give --pair without --matches, or leave this option out");
+    }
+  }
   if (scene_.scene) return check_geometry_scene(scene_);
-  if (!files_.matches) {
+  if (!files_.matches && !files_.has_pair()) {
     return fail("--matches", "the matching points of the pictures are not given",
-                "give a file of matches, or draw a pair with --scene");
+                "give the pictures with --pair, a file of matches, or draw a pair with --scene");
   }
   std::vector<std::string> words = option_words(scene_.options);
   std::ranges::copy(given_option_words(scene_.picture), std::back_inserter(words));
-  for (const auto& [word, is_given] : {std::pair{"--matches-out", matches_output_.has_value()},
-                                       std::pair{"--cameras-out", cameras_output_.has_value()},
+  if (matches_output_ && !finds_matches()) {
+    return fail("--matches-out", "the matches are in a file already",
+                "leave this option out, or --matches to find them in --pair");
+  }
+  for (const auto& [word, is_given] : {std::pair{"--cameras-out", cameras_output_.has_value()},
                                        std::pair{"--pair-out", !pair_output_.first.empty()}}) {
     if (is_given) words.emplace_back(word);
   }
@@ -278,11 +297,19 @@ Result<void> ViewsGeometryCommand::write_scene(const SceneGeometry& made) const 
   return written;
 }
 
+Result<GeometryInput> ViewsGeometryCommand::files_input(Progress& progress) {
+  progress.phase("reading the pair");
+  auto input = read_geometry_files(files_);
+  if (!input || !finds_matches()) return input;
+  progress.phase("matching corners");
+  auto done = find_matches(matching_, *input);
+  if (done && matches_output_) done = write_text(*matches_output_, matches_text(input->matches));
+  if (!done) return tl::unexpected(done.error());
+  return input;
+}
+
 Result<GeometryInput> ViewsGeometryCommand::input(Progress& progress) {
-  if (!scene_.scene) {
-    progress.phase("reading the pair");
-    return read_geometry_files(files_);
-  }
+  if (!scene_.scene) return files_input(progress);
   if (!sigma_given_) request_.sigma = std::max(scene_.sampling.noise, kMinSigma);
   scene_.sampling.seed = request_.seed;
   auto made = draw_geometry_scene(scene_, progress);
@@ -299,6 +326,7 @@ std::string ViewsGeometryCommand::command_line() const {
   return shell_line({{"views", "geometry"},
                      files,
                      option_words(options_),
+                     option_words(matching_.options),
                      option_words(scene_.options),
                      given_option_words(scene_.picture),
                      page});
@@ -341,7 +369,8 @@ Result<void> ViewsGeometryCommand::write_report(
 }
 
 int ViewsGeometryCommand::run() {
-  for (const auto& legal : {check_sources(), check_request(), check_outputs()}) {
+  for (const auto& legal :
+       {check_sources(), check_matching(matching_), check_request(), check_outputs()}) {
     if (!legal) return refuse(legal.error());
   }
   Progress progress;

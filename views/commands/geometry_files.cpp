@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "views/commands/opaque_picture.h"
 #include "views/files/camera_file.h"
 #include "views/files/match_file.h"
 
@@ -86,9 +87,12 @@ Result<void> add_cameras(const GeometryFiles& files, GeometryInput& input) {
 }
 
 Result<void> add_pictures(const GeometryFiles& files, GeometryInput& input) {
-  auto left = read_image(files.pair.first);
+  const auto read = [&](const std::string& path) {
+    return files.matches ? read_image(path) : read_opaque(path);
+  };
+  auto left = read(files.pair.first);
   if (!left) return tl::unexpected(left.error());
-  auto right = read_image(files.pair.second);
+  auto right = read(files.pair.second);
   if (!right) return tl::unexpected(right.error());
   if (left->width != right->width || left->height != right->height) {
     return fail("--pair",
@@ -112,10 +116,14 @@ Result<std::array<views::PinholeCamera, 2>> read_pair_cameras(const GeometryFile
 
 Result<GeometryInput> read_geometry_files(const GeometryFiles& files) {
   GeometryInput input;
-  auto matches = parse_file(*files.matches, views::parse_matches);
-  if (!matches) return tl::unexpected(matches.error());
-  input.matches = std::move(*matches);
-  input.description = *files.matches;
+  if (files.matches) {
+    auto matches = parse_file(*files.matches, views::parse_matches);
+    if (!matches) return tl::unexpected(matches.error());
+    input.matches = std::move(*matches);
+    input.description = *files.matches;
+  } else {
+    input.description = files.pair.first + " and " + files.pair.second;
+  }
   if (files.cameras) {
     if (const auto added = add_cameras(files, input); !added) return tl::unexpected(added.error());
   }

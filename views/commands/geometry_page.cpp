@@ -73,6 +73,17 @@ Json pose_json(const views::RelativePose& pose) {
   return {{"R", matrix_json(pose.rotation)}, {"T", numbers_of(pose.translation)}};
 }
 
+Json found_json(const FoundMatches& found) {
+  return {{"detector", name_of(found.settings.detector)},
+          {"descriptor", name_of(found.settings.description)},
+          {"corners_left", found.corners[0]},
+          {"corners_right", found.corners[1]},
+          {"largest_ratio", found.rules.ratio},
+          {"cross_check", found.rules.cross_check},
+          {"search_px", finite_json(found.rules.search)},
+          {"rules", matching_text(found)}};
+}
+
 Json input_json(const GeometryInput& input) {
   Json json{{"about", input.description}};
   if (!input.pair_description.empty()) json["pair"] = input.pair_description;
@@ -87,6 +98,7 @@ Json input_json(const GeometryInput& input) {
                            {"missing", visibility->missing},
                            {"nothing_drawn", visibility->nothing}};
   }
+  if (input.found) json["found"] = found_json(*input.found);
   json["cameras"] = optional_json(input.intrinsics, [](const auto& intrinsics) {
     return Json{{"K_left", matrix_json(intrinsics[0])}, {"K_right", matrix_json(intrinsics[1])}};
   });
@@ -164,6 +176,10 @@ Json matches_json(const GeometryInput& input, const GeometryReport& report) {
     if (report.has_geometry()) {
       match["sampson_px"] = finite_json(report.analysis.residuals[i]);
       match["epipolar_px"] = finite_json(report.epipolar_distances[i]);
+    }
+    if (input.found) {
+      match["distance"] = input.found->matches[i].distance;
+      match["ratio"] = input.found->matches[i].ratio;
     }
     if (!input.is_outlier.empty()) match["planted_outlier"] = bool(input.is_outlier[i]);
     json.push_back(std::move(match));

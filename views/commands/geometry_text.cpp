@@ -62,9 +62,15 @@ std::string input_lines(const GeometryInput& input, const GeometryReport& report
                                       visibility->seen, visibility->hidden, visibility->outside,
                                       visibility->missing, visibility->nothing));
   }
-  std::string planted;
-  if (report.outliers) planted = fmt::format(", {} of them outliers", report.outliers->planted);
-  return text + heading("matches", fmt::format("{}{}", input.matches.size(), planted));
+  std::string note;
+  if (report.outliers) note = fmt::format(", {} of them outliers", report.outliers->planted);
+  if (const auto& found = input.found) {
+    text += heading("corners", fmt::format("{} in the left picture, {} in the right one ({})",
+                                           found->corners[0], found->corners[1],
+                                           name_of(found->settings.detector)));
+    note = ": " + matching_text(*found);
+  }
+  return text + heading("matches", fmt::format("{}{}", input.matches.size(), note));
 }
 
 std::string estimation_lines(const GeometryReport& report) {

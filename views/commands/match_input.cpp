@@ -7,25 +7,15 @@
 
 #include "cli/options/scene_input.h"
 #include "views/commands/geometry.h"
+#include "views/commands/opaque_picture.h"
 #include "views/commands/rectified_pair.h"
 #include "views/matching/rendered_pair.h"
 
-#include <glassbox/images/read.h>
 #include <glassbox/images/stored_image.h>
 
 namespace glassbox::views {
 
 namespace {
-
-Result<Image<Rgba8>> read_opaque(const std::string& path) {
-  auto image = read_image(path);
-  if (!image) return image;
-  if (std::ranges::any_of(image->pixels, [](const Rgba8& pixel) { return pixel.a != 255; })) {
-    return tl::unexpected(Error{path, "", "has transparent pixels, whose colours are undefined",
-                                "put it over a background first"});
-  }
-  return image;
-}
 
 Result<Image<float>> read_truth(const std::string& path, double scale, const Image<Rgba8>& left) {
   const auto stored = read_stored(path);

@@ -376,7 +376,6 @@ TEST_CASE("what has no geometry, and what contradicts itself, is refused in one 
   };
   for (const auto& [words, cause] : std::vector<Case>{
            {"", "matching points"},
-           {"--pair a.png b.png", "matching points"},
            {"--matches few.csv", "few.csv: the matches: there are 7, but 8 are needed"},
            {"--matches same.csv", "only 1 of the 12 are different"},
            {"--matches line.csv", "line.csv: the matches: the relation between the two pictures"},

@@ -9,15 +9,19 @@ function legend() {
   if (constraint) parts.push(element("span", {className: "ramp"}, "inliers: 0 px", bar, `${manifest.threshold_px} px`));
   const mark = svg("svg", {viewBox: "-1 -1 2 2", "aria-hidden": "true"}, svg("path", {d: cross(0, 0, .7), class: "mark", stroke: farColour}));
   parts.push(element("span", {}, mark, constraint ? "farther than that" : "not an inlier"));
+  const dashed = svg("svg", {viewBox: "0 0 24 8", class: "dashed", "aria-hidden": "true"}, svg("path", {d: "M0 4H24", stroke: farColour, "stroke-width": 2, "stroke-dasharray": "5 4"}));
+  parts.push(element("span", {}, dashed, "connection of one that is not an inlier"));
   if (manifest.all_matches > matches.length) parts.push(element("span", {}, `The first ${matches.length} of ${manifest.all_matches} matches.`));
   return parts;
 }
 
 function foundTerms() {
-  const {system, truth, inliers, samples, law, estimator, all_matches: all, pair_is: kind, left_pixels: fates} = manifest, {outliers} = truth ?? {};
+  const {system, truth, found, inliers, samples, law, estimator, all_matches: all, pair_is: kind, left_pixels: fates} = manifest, {outliers} = truth ?? {};
   return terms([
     ["pair", manifest.pair],
     ["left pixels", fates && `${fates.seen} are visible in the right picture, ${fates.hidden} hidden there, ${fates.beside} outside it, ${fates.missing} missing`],
+    ["corners", found && `${found.corners_left} in the left picture, ${found.corners_right} in the right one (${found.detector})`],
+    ["matches", found && `${all}: ${found.rules}`],
     ["the pair is", kind.sentence],
     ["inliers", `${inliers} of ${all} within ${manifest.threshold_px} px` + (outliers?.planted ? `; ${outliers.planted} outliers were added, ${outliers.kept} of them are inliers by chance, ${outliers.lost_matches} true matches are rejected` : "")],
     ["samples", samples ? `${samples} of ${estimator}; ${law}` : "none determines a model"],

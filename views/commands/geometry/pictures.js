@@ -22,18 +22,43 @@ function svg(tag, attributes, ...children) {
 
 const cross = (x, y, size) => `M${x - size} ${y - size}L${x + size} ${y + size}M${x - size} ${y + size}L${x + size} ${y - size}`;
 
+const colourOf = (match) => match.inlier ? rampAt(match.sampson_px === undefined ? 0 : match.sampson_px / manifest.threshold_px) : farColour;
+
 // Inliers are dots, the others crosses.
 function matchMark(match, side) {
   const [x, y] = match[side];
   if (!match.inlier) return svg("path", {d: cross(x, y, .8 * unit), class: "mark", stroke: farColour});
-  const share = match.sampson_px === undefined ? 0 : match.sampson_px / manifest.threshold_px;
-  return svg("circle", {cx: x, cy: y, r: .8 * unit, class: "dot mark", fill: rampAt(share)});
+  return svg("circle", {cx: x, cy: y, r: .8 * unit, class: "dot mark", fill: colourOf(match)});
 }
 
 const isShown = (match) => ({all: true, inliers: match.inlier, others: !match.inlier, none: false})[document.querySelector("#shown :checked").value];
 
 function showMatches() {
   for (const side of sides) layers[side].matches.replaceChildren(...matches.filter(isShown).map((match) => matchMark(match, side)));
+  showLinks();
+}
+
+// Lines between the two points of some matches: whole for inliers, dashed for the others.
+function links(some, kind) {
+  const corner = byId("pair").getBoundingClientRect(), boxes = {};
+  for (const side of sides) boxes[side] = byId(side).getBoundingClientRect();
+  const at = (match, side) => [boxes[side].left - corner.left + match[side][0] * boxes[side].width / width,
+    boxes[side].top - corner.top + match[side][1] * boxes[side].height / height];
+  return some.map((match) => svg("path", {d: `M${at(match, "left")}L${at(match, "right")}`, class: kind + (match.inlier ? "" : " far"), stroke: colourOf(match)}));
+}
+
+const areConnected = () => byId("connected").checked;
+
+// Many lines are fainter, so that the pictures stay visible.
+function showLinks() {
+  const shown = areConnected() ? matches.filter(isShown) : [];
+  byId("links").style.setProperty("--faint", clamp(60 / shown.length, .15, .7));
+  layers.links.replaceChildren(...links(shown, "link"));
+}
+
+function showChosenLink() {
+  const chosen = areConnected() && point.match >= 0 ? [matches[point.match]] : [];
+  layers.chosenLink.replaceChildren(...links(chosen, "under"), ...links(chosen, "chosen"));
 }
 
 // The line a x + b y + c = 0 in the other picture: F p for a left point, F^T p for a right one
@@ -78,6 +103,7 @@ function showPoint() {
   layers[side].point.replaceChildren(...pointMark(at), ...epipoleMark(side));
   layers[other].point.replaceChildren(...lineMark(ends), ...(match ? pointMark(match[other]) : []), ...epipoleMark(other));
   byId("readout").textContent = told(side, at, match, ends);
+  showChosenLink();
 }
 
 const pixels = (value) => value.toFixed(2).replace("-", "−");
@@ -94,7 +120,8 @@ function told(side, at, match, ends) {
   if (!constraint) return `${where} There is no line: ${manifest.pair_is.sentence}.`;
   const line = ends ? `Its line in the other picture: ${lineText(epipolarLine(side, at))}.` : "Its line is outside the other picture.";
   const planted = match?.planted_outlier ? " It was added as an outlier." : "";
-  return match ? `${where} ${line} Sampson's distance ${match.sampson_px.toPrecision(3)} px: ${match.inlier ? "an inlier" : "not an inlier"}.${planted}` : `${where} ${line}`;
+  const ratio = match?.ratio === undefined ? "" : ` Its ratio to the second nearest is ${match.ratio.toFixed(2)}.`;
+  return match ? `${where} ${line} Sampson's distance ${match.sampson_px.toPrecision(3)} px: ${match.inlier ? "an inlier" : "not an inlier"}.${planted}${ratio}` : `${where} ${line}`;
 }
 
 function movePoint(side, [x, y]) {
@@ -147,7 +174,12 @@ function fitMarks() {
 }
 
 function setUpPictures() {
-  byId("pair").append(...sides.map((side) => pictureOf(side, manifest.picture_names[side])));
+  layers.links = svg("g", {});
+  layers.chosenLink = svg("g", {});
+  byId("pair").append(...sides.map((side) => pictureOf(side, manifest.picture_names[side])),
+    svg("svg", {id: "links", "aria-hidden": "true"}, layers.links, layers.chosenLink));
+  byId("connected").checked = Boolean(manifest.found);
+  byId("connected").addEventListener("change", fitMarks);
   for (const radio of document.querySelectorAll("#shown input")) radio.addEventListener("change", showMatches);
   byId("previous").addEventListener("click", () => stepMatch(-1));
   byId("next").addEventListener("click", () => stepMatch(1));
