@@ -82,7 +82,7 @@ std::string early_culling_text(const SteppedTriangle& stepped) {
       cull.evaluate({corners[0].object, corners[1].object, corners[2].object});
   const bool whole = std::ranges::all_of(corners, [](const auto& c) { return c.outcode == 0; });
   const char* verdict =
-      !evaluation.removed ? "its sign is uncertain here, so the sign of the snapped area decides"
+      !evaluation.removed ? "not certainly a back face, so the sign of the snapped area decides"
       : whole             ? "the triangle is removed, and does not reach the stages below"
               : "but a plane cuts the triangle, so the sign of the snapped area decides";
   const double rounding = evaluation.test.bound + evaluation.test.viewer_error_bound;

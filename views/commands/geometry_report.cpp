@@ -194,10 +194,10 @@ std::vector<OmittedItem> omitted_items(const GeometryInput& input, const Geometr
                                report.request.ransac.threshold)});
   }
   if (const int count = count_outside(input); count > 0) {
-    out.push_back(
-        {"a check that all points are inside their pictures",
-         fmt::format("{} have a point outside, where noise may have moved it, and are used too",
-                     count)});
+    out.push_back({"a check that all points are inside their pictures",
+                   fmt::format("{} a point outside, where noise may have moved it, and {} used too",
+                               counted(count, "match has", "matches have"),
+                               singular_or_plural(count, "is", "are"))});
   }
   return out;
 }

@@ -7,6 +7,7 @@
 #include "cli/report/text_layout.h"
 #include "views/commands/matrix_report.h"
 
+#include <glassbox/base/counted.h>
 #include <glassbox/base/elementary.h>
 #include <glassbox/base/printable.h>
 
@@ -84,8 +85,8 @@ std::string estimation_lines(const GeometryReport& report) {
                                             name_of(request.estimator), law_text(report)));
   std::string planted;
   if (const auto& facts = report.outliers; facts && facts->planted > 0) {
-    planted = fmt::format("; {} outliers among them by chance, {} true matches rejected",
-                          facts->kept, facts->lost);
+    planted = fmt::format("; {} among them by chance, {} rejected", counted(facts->kept, "outlier"),
+                          counted(facts->lost, "true match", "true matches"));
   }
   text +=
       heading("inliers", fmt::format("{} of {} within {:g} px{}", analysis.inliers,

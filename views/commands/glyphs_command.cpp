@@ -341,10 +341,11 @@ int ViewsGlyphsCommand::find() {
     request.intrinsic << focal, 0, report.width / 2.0, 0, focal, report.height / 2.0, 0, 0, 1;
   }
   auto pose = views::find_pose(report.points.points, request);
-  if (pose)
+  if (pose) {
     report.pose = std::move(*pose);
-  else
-    report.no_pose = pose.error().message();
+  } else {
+    report.no_pose = Error{{}, {}, pose.error().cause, pose.error().remedy}.message();
+  }
   if (report.truth) {
     report.score = views::glyph_score(
         report.found, *wall, *report.truth,

@@ -27,6 +27,11 @@ Json vector_json(const views::Vector3d& v) {
 
 constexpr const char* kColorNames[] = {"red", "green", "blue", "cyan", "magenta", "yellow"};
 
+// Four digits after the point, without the sign of a number that is 0 then.
+double rounded(double meters) {
+  return std::round(1e4 * meters) / 1e4 + 0.0;
+}
+
 std::string code_text(const views::GlyphCode& code) {
   if (code[0] < 0) return "none";
   return fmt::format("{}, {}, {}", kColorNames[code[0]], kColorNames[code[1]],
@@ -56,9 +61,9 @@ std::string glyphs_text(const GlyphsReport& report) {
         "camera at {:.4f}, {:.4f}, {:.4f} m, f = {:.2f} px, principal point {:.2f}, {:.2f} (lens: "
         "{})\n"
         "{} of {} agree with this camera, RMS {:.3f} px\n",
-        at.x(), at.y(), at.z(), camera.intrinsic(0, 0), camera.intrinsic(0, 2),
-        camera.intrinsic(1, 2), views::name_of(report.known), report.pose->inliers,
-        counted(report.points.points.size(), "glyph"), report.pose->rms);
+        rounded(at.x()), rounded(at.y()), rounded(at.z()), camera.intrinsic(0, 0),
+        camera.intrinsic(0, 2), camera.intrinsic(1, 2), views::name_of(report.known),
+        report.pose->inliers, counted(report.points.points.size(), "glyph"), report.pose->rms);
   } else {
     text += "no camera: " + printable(report.no_pose, kLongestMessage) + "\n";
   }

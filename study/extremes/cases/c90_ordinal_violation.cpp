@@ -88,7 +88,7 @@ Outcome measure_error(OrderOf order_of) {
   }
   return must_be_zero(
       double(counterexamples + missed),
-      fmt::format("{} of {} pairs are in the wrong order, and {} orders were not found",
+      fmt::format("{} of {} pairs are in the wrong order, and in {} scenes no order was found",
                   counterexamples, tried, missed));
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "study/extremes/common/extreme_case.h"
 #include "study/extremes/common/flat_scene.h"
 #include "study/naive/voxels.h"
@@ -49,8 +51,9 @@ naive::VoxelKeys photo_hull(const FlatScene& flat) {
 Outcome measure_error(Colorer colored_by) {
   const FlatScene flat = disc();
   const naive::VoxelKeys hull = photo_hull(flat);
-  return wrong_count_outcome(differing(colored_by(flat), hull), int(hull.size()),
-                             "voxels of the hull's surface are wrong");
+  const int wrong = differing(colored_by(flat), hull);
+  return must_be_zero(
+      wrong, fmt::format("{} voxels are missing or too many; the hull has {}", wrong, hull.size()));
 }
 
 template <naive::SweepRules kWay>

@@ -76,7 +76,8 @@ Outcome measure_error(const Weights& weights) {
       error = std::max(error, std::abs(sum - (by_anybody ? 1 : 0)));
       if (std::isnan(sum)) error = sum;
       worst.add(error, kBound,
-                fmt::format("the weights add up to {:.6g} if {} of {} views see the polygon", sum,
+                fmt::format("the weights add up to {} if {} of {} views see the polygon",
+                            std::isnan(sum) ? "NaN" : fmt::format("{:.6g}", sum),
                             std::ranges::count(seen, true), seen.size()));
     }
   }
