@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "tests/app/sessions.h"
 #include "tests/docs/shell.h"
 #include "tests/support/catch.h"
+#include "tests/support/daily_share.h"
 
 namespace glassbox::test {
 namespace {
@@ -45,6 +47,7 @@ const std::vector<Lines> kRunElsewhere{
     {"docs/labs.md", "glassbox lab stiff", "compiles a lab; tests/labs/drawing"},
     {"docs/labs.md", "glassbox lab measure", "compiles a lab; tests/labs/drawing"},
     {"docs/metrics.md", "glassbox diff REFERENCE TEST", "with two files, below"},
+    {"docs/slides.md", "", "below, a deck every day"},
     {"docs/study.md", "glassbox study run --resume", "20 minutes"},
     {"docs/study.md", "glassbox study report --from", "of the line above it"},
 };
@@ -72,6 +75,11 @@ const std::vector<Ends> kEnds{
     {{"docs/diff.md", "glassbox diff images/golden/shade-gouraud", "the pictures differ"}, 1},
     {{"docs/conventions.md", "glassbox render teapot --", "refused, as the page says"}, 2},
 };
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 bool is_listed(const std::vector<Lines>& list, const std::string& page, const std::string& line) {
   return std::ranges::any_of(list, [&](const Lines& lines) { return lines.are(page, line); });
@@ -151,7 +159,42 @@ int run_lines(bool long_ones) {
   return count;
 }
 
+const std::vector<std::string> kDecks{"## S0", "## S1", "## S2", "## S3", "## S4"};
+
+// Runs the lines of a deck in docs/slides.md, which make the page's pictures again.
+void run_deck(const std::string& deck) {
+  namespace fs = std::filesystem;
+  const Clone clone;
+  const fs::path pictures = fs::path(clone.root()) / "docs/slides";
+  fs::create_directories(pictures);
+  int count = 0;
+  for (const ShellLine& line : shell_lines("docs/slides.md")) {
+    if (!line.section.starts_with(deck)) continue;
+    check_line(clone, "docs/slides.md", line);
+    ++count;
+  }
+  CAPTURE(deck);
+  CHECK(count >= 10);
+  for (const auto& made : fs::directory_iterator(pictures)) {
+    CAPTURE(made.path().filename());
+    CHECK(bytes_of(made.path()) == bytes_of(tree() / "docs/slides" / made.path().filename()));
+  }
+}
+
 }  // namespace
+
+TEST_CASE(
+    "docs/slides.md: the lines of a deck, another one every day, print and draw what it has") {
+  const test::DailyShare share(kDecks.size());
+  INFO(share.text());
+  for (std::size_t i = 0; i < kDecks.size(); ++i) {
+    if (share.includes(i, kDecks.size())) run_deck(kDecks[i]);
+  }
+}
+
+TEST_CASE("docs/slides.md: the lines of all decks print and draw what it has", "[.long]") {
+  for (const std::string& deck : kDecks) run_deck(deck);
+}
 
 TEST_CASE("the command lines of docs/ run, and print what stands below them") {
   CHECK(run_lines(false) >= 15);

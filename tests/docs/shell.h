@@ -17,6 +17,7 @@ struct ShellLine {
   // The text below a line that begins with "$ ", up to the next such line or the end of the block.
   std::string output;
   bool has_output = false;
+  std::string section = {};  // the last heading before it that begins with "## "
 };
 
 // Returns the line without "$ " and indentation if it runs glassbox, or an empty text.
@@ -33,7 +34,9 @@ inline std::string command_in(std::string_view line) {
 inline std::vector<ShellLine> shell_lines(const std::string& page) {
   std::vector<ShellLine> found;
   bool in_block = false, in_output = false;
+  std::string section;
   for (const std::string& line : lines_of(page)) {
+    if (!in_block && line.starts_with("## ")) section = line;
     const bool fence = line.starts_with("```");
     if (fence) in_block = !in_block;
     if (fence || (!in_block && !line.starts_with("    "))) {
@@ -46,7 +49,7 @@ inline std::vector<ShellLine> shell_lines(const std::string& page) {
     }
     std::string command = command_in(line);
     in_output = line.starts_with("$ ") && !command.empty();
-    if (!command.empty()) found.push_back({std::move(command), {}, in_output});
+    if (!command.empty()) found.push_back({std::move(command), {}, in_output, section});
   }
   return found;
 }
