@@ -1,6 +1,6 @@
 // Tests that the pictures of the handouts show typical mistakes (slips): each fault that has a slip
-// is planted in the solution, and drawn by the command of the lab's handout, or by another one. Then
-// docs/lab_faults.md says how many pixels differ from the reference's picture.
+// is planted in the solution, and drawn by the command of the lab's handout, or by another one.
+// docs/lab_faults.md says how many pixels then differ from the reference's picture.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
