@@ -4,6 +4,8 @@
 
 #include <Eigen/SVD>
 
+#include <glassbox/base/elementary.h>
+
 namespace glassbox::views {
 
 namespace {
@@ -45,7 +47,7 @@ Matrix32 weights_of(Triangulator how, const SeenBy& camera) {
         const Vector3d equation =
             camera.at[row] / depth * camera.pose.rotation.row(2) - camera.pose.rotation.row(row);
         const double last = equation.dot(camera.pose.translation);
-        weights.row(row) = shift.row(row) / std::hypot(equation.norm(), last);
+        weights.row(row) = shift.row(row) / hypotenuse(equation.norm(), last);
       }
       break;
     case Triangulator::kLindstrom:

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <glassbox/base/elementary.h>
 #include <glassbox/base/trig.h>
 
 namespace glassbox::views {
@@ -95,7 +96,7 @@ const char* name_of(PointState state) {
 }
 
 double LocatedPoint::residual() const {
-  return std::hypot(reprojection_errors[0], reprojection_errors[1]);
+  return hypotenuse(reprojection_errors[0], reprojection_errors[1]);
 }
 
 LocatedPoint locate(Triangulator how, const Match& pixels,

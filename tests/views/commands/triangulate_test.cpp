@@ -330,7 +330,7 @@ TEST_CASE("cameras in one place, no match and impossible numbers are refused in 
   CHECK(here.names() == before);
 }
 
-TEST_CASE("the help begins with an example, and the example runs") {
+TEST_CASE("the help has an example, and the example runs") {
   const WorkingDirectory here;
   const std::string help = here.run("views triangulate --help").out;
   CHECK(contains(help, "glassbox views triangulate --scene room --eye-separation 0.3 --noise 0.5"));

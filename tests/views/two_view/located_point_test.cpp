@@ -34,6 +34,11 @@ StereoRig any_rig(std::mt19937& random, double baseline) {
   return rig;
 }
 
+Matrix3d any_turn(std::mt19937& random) {
+  const double angle = test::uniform(random, -3, 3);
+  return Eigen::AngleAxisd(angle, test::random_direction(random)).matrix();
+}
+
 Match with_noise(Match match, std::mt19937& random, double sigma) {
   match.left += test::noise(random, sigma);
   match.right += test::noise(random, sigma);
@@ -457,8 +462,7 @@ TEST_CASE("world rays meet the world point, whatever the cameras' places") {
   for (int i = 0; i < 100; ++i) {
     const StereoRig rig = any_rig(random, test::uniform(random, 0.2, 2));
     std::array<PinholeCamera, 2> cameras = cameras_of(rig);
-    const Matrix3d turn =
-        Eigen::AngleAxisd(test::uniform(random, -3, 3), test::random_direction(random)).matrix();
+    const Matrix3d turn = any_turn(random);
     const Vector3d shift = 10 * test::random_direction(random);
     for (PinholeCamera& camera : cameras) {
       camera.camera_from_world = camera.camera_from_world * turn;
@@ -491,8 +495,7 @@ TEST_CASE("cameras that only turn are in one place, and a short baseline is a ba
     const Vector3d place = 100 * test::random_direction(random);
     std::array<PinholeCamera, 2> cameras;
     for (PinholeCamera& camera : cameras) {
-      camera.camera_from_world =
-          Eigen::AngleAxisd(test::uniform(random, -3, 3), test::random_direction(random)).matrix();
+      camera.camera_from_world = any_turn(random);
       // As a file has it: t = -R c, and the centre is computed from t.
       const Vector3d shift = -camera.camera_from_world * place;
       camera.centre = -camera.camera_from_world.transpose() * shift;
