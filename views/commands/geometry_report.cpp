@@ -162,8 +162,9 @@ std::string why_pose(const PlaneAnalysis& plane) {
   }
   return fmt::format(
       "two explain the homography, and nothing decides between them: {} and {} of its {} points "
-      "are in front of both cameras, {} and {} points beside the plane agree; the first has the "
-      "smaller residuals, {:.4g} and {:.4g} px (rms); {}",
+      "are in front of both cameras, {} and {} points beside the plane agree, and the residuals "
+      "are "
+      "{:.4g} and {:.4g} px (rms); {}",
       one.in_front, other.in_front, plane.on_plane, one.others, other.others, one.rms, other.rms,
       difference_text(plane));
 }

@@ -157,7 +157,8 @@ std::optional<PlaneAnalysis> analyse_plane(const PlaneRequest& request, const Ma
   } else if (!is_by_chance(one.others, other.others)) {
     analysis.evidence = PlaneEvidence::kOthers;
     if (other.others > one.others) std::swap(one, other);
-  } else if (other.rms < one.rms) {
+  } else if (other.in_front > one.in_front ||
+             (other.in_front == one.in_front && other.rms < one.rms)) {
     std::swap(one, other);
   }
   const bool is_chance = one.others <= other.others || is_by_chance(one.others, other.others);

@@ -36,8 +36,8 @@ std::optional<views::PairAnalysis> analysed(const views::Matches& pixels,
   views::PairRequest request;
   request.matches = pixels;
   request.intrinsics = {rig.left_intrinsic, rig.right_intrinsic};
-  request.sigma = 0.05;
-  request.ransac.threshold = 0.1;
+  request.sigma = 1e-3;  // px: the matches are exact
+  request.ransac.threshold = 2e-3;
   const auto analysis = views::analyse(request);
   return analysis && analysis->pose ? std::optional(*analysis) : std::nullopt;
 }
