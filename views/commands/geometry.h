@@ -89,6 +89,13 @@ struct OutlierFacts {
   int lost = 0;  // true matches that are not taken for inliers
 };
 
+// The model that the cameras were computed with, and the reasons with their numbers, in sentences.
+struct ModelChoice {
+  std::string name;   // "plane" or "general"
+  std::string why;    // why this model
+  std::string poses;  // for a plane: which of its two poses was chosen, and why
+};
+
 struct OmittedItem {
   std::string what, why;
 };
@@ -106,7 +113,10 @@ struct GeometryReport {
   std::vector<double> epipolar_distances;
   ResidualFacts sampson, epipolar;
   std::vector<PoseCandidate> candidates;  // empty if no pose was found
-  std::optional<PoseErrors> errors;
+  std::optional<ModelChoice> model;       // only if there is a geometry
+  // The second pose for a plane, if the matches do not decide between the two.
+  std::optional<views::RelativePose> second_pose;
+  std::optional<PoseErrors> errors, second_errors;
   std::optional<OutlierFacts> outliers;
   std::vector<OmittedItem> left_out;
 
@@ -192,7 +202,7 @@ std::string kind_sentence(views::PairKind kind);
 std::string law_text(const GeometryReport& report);
 
 // Matrices are written by rows. Names say which numbers are px or degrees. What was not found is
-// null.
+// null. "second_pose" is the other pose for a plane, if nothing decides between the two.
 nlohmann::ordered_json geometry_json(const GeometryInput& input, const GeometryReport& report);
 
 // The report on two views as one HTML page that needs no other file: it shows both pictures, and

@@ -153,13 +153,55 @@ Json candidates_json(const std::vector<PoseCandidate>& candidates) {
   return json;
 }
 
+const char* name_of(PlaneEvidence evidence) {
+  switch (evidence) {
+    case PlaneEvidence::kInFront:
+      return "points in front of both cameras";
+    case PlaneEvidence::kOthers:
+    case PlaneEvidence::kSame:
+      return "points beside the plane";
+    case PlaneEvidence::kNothing:
+      break;
+  }
+  return "nothing";
+}
+
+// The distance of the plane is in lengths of T, because |T| is 1.
+Json plane_json(const PlaneAnalysis& plane) {
+  Json solutions = Json::array();
+  for (const PlaneSolution& one : plane.solutions) {
+    Json json = pose_json(one.found.pose);
+    json["normal"] = numbers_of(one.found.plane.normalized());
+    json["distance"] = finite_json(1 / one.found.plane.norm());
+    json["in_front"] = one.in_front;
+    json["behind"] = one.behind;
+    json["others"] = one.others;
+    json["sampson_rms_px"] = one.rms;
+    json["chosen"] = solutions.empty();
+    solutions.push_back(std::move(json));
+  }
+  return {{"matches", plane.on_plane},
+          {"rms_px", plane.rms},
+          {"decided_by", name_of(plane.evidence)},
+          {"solutions", std::move(solutions)}};
+}
+
+Json model_json(const ModelChoice& model) {
+  return {{"name", model.name},
+          {"why", model.why},
+          {"poses", model.poses.empty() ? Json(nullptr) : Json(model.poses)}};
+}
+
+Json errors_json(const PoseErrors& errors) {
+  return {{"rotation_error_degrees", errors.rotation_degrees},
+          {"direction_error_degrees",
+           optional_json(errors.direction_degrees, [](double angle) { return angle; })}};
+}
+
 Json truth_json(const GeometryInput& input, const GeometryReport& report) {
   Json json = optional_json(input.truth, pose_json);
-  if (const auto& errors = report.errors) {
-    json["rotation_error_degrees"] = errors->rotation_degrees;
-    json["direction_error_degrees"] =
-        optional_json(errors->direction_degrees, [](double angle) { return angle; });
-  }
+  if (const auto& errors = report.errors) json.update(errors_json(*errors));
+  if (const auto& errors = report.second_errors) json["second_pose"] = errors_json(*errors);
   if (const auto& facts = report.outliers) {
     json["outliers"] = {
         {"planted", facts->planted}, {"kept", facts->kept}, {"lost_matches", facts->lost}};
@@ -196,7 +238,10 @@ Json geometry_json(const GeometryInput& input, const GeometryReport& report) {
   json["F"] = optional_json(report.analysis.fundamental, matrix_json);
   json["E"] = optional_json(report.essential, matrix_json);
   json["E_of_shift"] = optional_json(report.essential_of_shift, matrix_json);
+  json["model"] = optional_json(report.model, model_json);
   json["pose"] = optional_json(report.analysis.pose, pose_json);
+  json["second_pose"] = optional_json(report.second_pose, pose_json);
+  json["plane"] = optional_json(report.analysis.plane, plane_json);
   json["epipoles"] = optional_json(report.epipoles, [](const auto& epipoles) {
     return Json{{"left", numbers_of(epipoles[0])}, {"right", numbers_of(epipoles[1])}};
   });

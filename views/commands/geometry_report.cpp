@@ -106,6 +106,81 @@ PoseErrors errors_of(const views::RelativePose& found, const views::RelativePose
   return errors;
 }
 
+// ---- the model ----
+
+std::string why_plane(const GeometryReport& report) {
+  const auto& plane = *report.analysis.plane;
+  const auto& costs = report.analysis.classification;
+  return fmt::format(
+      "{} of {} matches agree with one homography, with {:.3g} px (rms) a coordinate; it costs "
+      "{:.1f} (GRIC), and general structure {:.1f}",
+      plane.on_plane, report.request.matches.size(), plane.rms, costs.cost_of_homography,
+      costs.cost_of_fundamental);
+}
+
+std::string why_general(const GeometryReport& report) {
+  const auto& costs = report.analysis.classification;
+  std::string why = fmt::format(
+      "it costs {:.1f} (GRIC), and one plane {:.1f}, whose homography agrees with {} of {} inliers",
+      costs.cost_of_fundamental, costs.cost_of_homography, costs.homography.inliers,
+      report.analysis.inliers);
+  if (report.analysis.is_only_essential) {
+    why += "; a second F is possible, but with K only one E is";
+  }
+  return why;
+}
+
+// How far the second pose of a plane is from the first.
+std::string difference_text(const PlaneAnalysis& plane) {
+  const auto& [one, other] = plane.solutions;
+  const auto& a = one.found.pose;
+  const auto& b = other.found.pose;
+  return fmt::format("the poses differ by {:.3g} deg, and their directions of T by {:.3g} deg",
+                     degrees_from_radians(views::rotation_error(a.rotation, b.rotation)),
+                     degrees_from_radians(views::direction_error(a.translation, b.translation)));
+}
+
+std::string why_pose(const PlaneAnalysis& plane) {
+  const auto& [one, other] = plane.solutions;
+  switch (plane.evidence) {
+    case PlaneEvidence::kInFront:
+      return fmt::format(
+          "two explain the homography: {} of its {} points are in front of both cameras in the "
+          "chosen one, and {} in the other; {}",
+          one.in_front, plane.on_plane, other.in_front, difference_text(plane));
+    case PlaneEvidence::kOthers:
+      return fmt::format(
+          "two explain the homography: {} points beside the plane agree with the chosen one, and "
+          "{} with the other; {}",
+          one.others, other.others, difference_text(plane));
+    case PlaneEvidence::kSame:
+      return fmt::format(
+          "two explain the homography, and refined by {} points beside the plane they are the same",
+          one.others);
+    case PlaneEvidence::kNothing:
+      break;
+  }
+  return fmt::format(
+      "two explain the homography, and nothing decides between them: {} and {} of its {} points "
+      "are in front of both cameras, {} and {} points beside the plane agree, and the residuals "
+      "are "
+      "{:.4g} and {:.4g} px (rms); {}",
+      one.in_front, other.in_front, plane.on_plane, one.others, other.others, one.rms, other.rms,
+      difference_text(plane));
+}
+
+void add_model(GeometryReport& report) {
+  const auto& plane = report.analysis.plane;
+  if (!plane) {
+    report.model = {"general", why_general(report), ""};
+    return;
+  }
+  report.model = {"plane", why_plane(report), why_pose(*plane)};
+  if (plane->evidence == PlaneEvidence::kNothing) {
+    report.second_pose = plane->solutions[1].found.pose;
+  }
+}
+
 OutlierFacts outlier_facts(const std::vector<bool>& is_outlier,
                            const std::vector<bool>& is_inlier) {
   OutlierFacts facts;
@@ -130,7 +205,9 @@ void leave_out_geometry(const GeometryReport& report, std::vector<OmittedItem>& 
       out.push_back(
           {"F, E, R, T, epipoles",
            "all points are on a plane: one homography explains the matches, and a family of F with "
-           "two parameters fits them (C-102); with known cameras --estimator 5 can still find E"});
+           "two parameters fits them (C-102); with known cameras --estimator 5 can still find R "
+           "and "
+           "T"});
       break;
     case PairKind::kCritical:
       out.push_back({"F, E, R, T, epipoles",
@@ -148,6 +225,13 @@ void leave_out_pose(const GeometryInput& input, std::vector<OmittedItem>& out) {
                    "K is unknown without --cameras, so the viewing directions of the pixels are "
                    "unknown, and the matches determine only F"});
   }
+}
+
+void leave_out_choice(const GeometryReport& report, std::vector<OmittedItem>& out) {
+  if (!report.second_pose) return;
+  out.push_back({"which of two poses is right",
+                 "both are possible for the points of one plane, and explain the matches equally "
+                 "well (C-102); matches of a few points beside the plane decide"});
 }
 
 void leave_out_of_truth(const GeometryInput& input, const GeometryReport& report,
@@ -181,6 +265,7 @@ std::vector<OmittedItem> omitted_items(const GeometryInput& input, const Geometr
   std::vector<OmittedItem> out;
   if (!report.has_geometry()) leave_out_geometry(report, out);
   leave_out_pose(input, out);
+  leave_out_choice(report, out);
   leave_out_of_truth(input, report, out);
   if (report.samples_wanted > report.request.ransac.most_samples) {
     out.push_back({"certainty", fmt::format("{:.3g} samples are needed, but only {} were drawn: so "
@@ -216,8 +301,13 @@ Result<GeometryReport> report_geometry(const GeometryInput& input, const Geometr
   report.samples_wanted =
       views::samples_needed(double(analysis->inliers) / double(input.matches.size()),
                             views::sample_size(asked->estimator), asked->ransac.confidence);
-  if (report.has_geometry()) add_geometry(report);
+  if (report.has_geometry()) {
+    add_model(report);
+    add_geometry(report);
+  }
   if (input.truth && analysis->pose) report.errors = errors_of(*analysis->pose, *input.truth);
+  if (input.truth && report.second_pose)
+    report.second_errors = errors_of(*report.second_pose, *input.truth);
   if (!input.is_outlier.empty())
     report.outliers = outlier_facts(input.is_outlier, analysis->is_inlier);
   report.left_out = omitted_items(input, report);

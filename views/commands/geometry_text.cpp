@@ -78,7 +78,7 @@ std::string estimation_lines(const GeometryReport& report) {
   const auto& [request, analysis] = std::tie(report.request, report.analysis);
   const auto& system = analysis.system;
   const auto& classification = analysis.classification;
-  const bool is_undecided = analysis.why_no_model && analysis.samples == 0;
+  const bool is_undecided = analysis.samples == 0;
   std::string text = heading(
       "samples", is_undecided ? "no sample determines the cameras; all matches are tested together"
                               : fmt::format("{} drawn, {}; {}", analysis.samples,
@@ -96,12 +96,16 @@ std::string estimation_lines(const GeometryReport& report) {
                               "{:.3g} with normalised points",
                               system.rank, system.condition_raw, system.condition_normalised));
   text += heading("pair is", kind_sentence(classification.kind));
-  return text +
-         heading("",
-                 fmt::format("costs (GRIC): constraint {:.1f}, homography {:.1f}, "
-                             "rotation {:.1f}; eighth over ninth singular value {:.3g}",
-                             classification.cost_of_fundamental, classification.cost_of_homography,
-                             classification.cost_of_rotation, classification.eighth_over_ninth));
+  text +=
+      heading("", fmt::format("costs (GRIC): constraint {:.1f}, homography {:.1f}, "
+                              "rotation {:.1f}; eighth over ninth singular value {:.3g}",
+                              classification.cost_of_fundamental, classification.cost_of_homography,
+                              classification.cost_of_rotation, classification.eighth_over_ninth));
+  if (const auto& model = report.model) {
+    text += heading("model", model->name + ": " + model->why);
+    if (!model->poses.empty()) text += heading("two poses", model->poses);
+  }
+  return text;
 }
 
 std::string residual_lines(const GeometryReport& report) {
@@ -126,9 +130,21 @@ std::string matrices(const GeometryReport& report) {
     text += matrix_lines("R", pose->rotation, "", six_decimals);
     text += vector_line("T", pose->translation, "the right camera, seen from the left one");
   }
+  if (const auto& second = report.second_pose) {
+    text +=
+        matrix_lines("second R", second->rotation, "the other pose for the plane", six_decimals);
+    text += vector_line("second T", second->translation, "the right camera for the second pose");
+  }
   const auto& [left, right] = *report.epipoles;
   return text +
          fmt::format("  epipoles  left {}, right {}\n", epipole_text(left), epipole_text(right));
+}
+
+std::string error_text(const PoseErrors& errors) {
+  std::string direction;
+  if (errors.direction_degrees)
+    direction = fmt::format(", direction of T by {:.3g} deg", *errors.direction_degrees);
+  return fmt::format("rotation off by {:.3g} deg{}", errors.rotation_degrees, direction);
 }
 
 std::string pose_lines(const GeometryReport& report) {
@@ -139,12 +155,9 @@ std::string pose_lines(const GeometryReport& report) {
     counts += fmt::format("{}{}{}", counts.empty() ? "" : ", ", one.in_front,
                           one.is_chosen ? " (chosen)" : "");
   text += heading("four poses", "inliers in front of both cameras: " + counts);
-  if (const auto& errors = report.errors) {
-    std::string direction;
-    if (errors->direction_degrees)
-      direction = fmt::format(", direction of T by {:.3g} deg", *errors->direction_degrees);
-    text += heading(
-        "truth", fmt::format("rotation off by {:.3g} deg{}", errors->rotation_degrees, direction));
+  if (const auto& errors = report.errors) text += heading("truth", error_text(*errors));
+  if (const auto& errors = report.second_errors) {
+    text += heading("", "of the second pose: " + error_text(*errors));
   }
   return text;
 }

@@ -1,10 +1,20 @@
 #include "views/two_view/analysis.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include <glassbox/base/elementary.h>
+#include <glassbox/base/trig.h>
+
+#include "views/two_view/constraint.h"
+#include "views/two_view/homography.h"
 #include "views/two_view/linear_fit.h"
+#include "views/two_view/pose.h"
+#include "views/two_view/refinement.h"
 #include "views/two_view/residual.h"
 
 namespace glassbox::views {
@@ -75,6 +85,18 @@ Result<PairAnalysis> sampled_analysis(const PairRequest& request) {
   return analysis;
 }
 
+// Makes this pose the result, with the matches that agree with it as inliers.
+void use_pose(const PairRequest& request, const RelativePose& pose, PairAnalysis& analysis) {
+  const auto& [left, right] = *request.intrinsics;
+  analysis.pose = pose;
+  analysis.fundamental = fundamental_of({left, right, pose}).normalized();
+  analysis.is_inlier =
+      matches_near(*analysis.fundamental, request.matches, request.ransac.threshold);
+  analysis.inliers = int(std::ranges::count(analysis.is_inlier, true));
+  analysis.in_front = in_front_of_both(
+      pose, calibrated(inliers_of(request.matches, analysis.is_inlier), left, right));
+}
+
 bool is_decided(PairKind kind, const PairRequest& request) {
   switch (kind) {
     case PairKind::kGeneral:
@@ -84,6 +106,62 @@ bool is_decided(PairKind kind, const PairRequest& request) {
     case PairKind::kPureRotation:
     case PairKind::kCritical:
       break;
+  }
+  return false;
+}
+
+// Replaces the pose of the random samples by that of the plane. Both solutions for a plane fulfil
+// the epipolar constraint equally well, so the samples give either of them.
+void use_plane(const PairRequest& request, PairAnalysis& analysis) {
+  const auto& [left, right] = *request.intrinsics;
+  const Matrix3d& homography = analysis.classification.homography.homography;
+  analysis.plane =
+      analyse_plane({request.matches, left, right, request.sigma, request.ransac.threshold},
+                    homography, matches_within(3 * request.sigma, homography, request.matches));
+  if (!analysis.plane) return;
+  analysis.why_no_model.reset();
+  use_pose(request, analysis.plane->solutions[0].found.pose, analysis);
+}
+
+// The matrices a F1 + b F2 that the equations of the eight-point algorithm leave for a critical
+// surface, for several a and b. F1 and F2 belong to the two least singular values.
+std::vector<Matrix3d> family_of(const Matches& pixels) {
+  constexpr int kMembers = 16;
+  std::vector<Matrix3d> members;
+  const auto from = normalised(pixels);
+  if (!from) return members;
+  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::FullPivHouseholderQRPreconditioner> svd(
+      design_matrix(from->matches), Eigen::ComputeFullV);
+  for (int i = 0; i < kMembers; ++i) {
+    const auto [sine, cosine] = sin_cos(i * std::numbers::pi / kMembers);
+    const Eigen::Matrix<double, 9, 1> entries =
+        cosine * svd.matrixV().col(7) + sine * svd.matrixV().col(8);
+    members.emplace_back(from->right.transpose() * entries.reshaped<Eigen::RowMajor>(3, 3) *
+                         from->left);
+  }
+  return members;
+}
+
+// Whether another pose fulfils the constraint of these matches about as well as this one: the sum
+// of n squared residuals with the error sigma has the standard deviation sqrt(2 n) sigma^2.
+bool has_rival(const PairRequest& request, const RelativePose& pose, const Matches& good) {
+  const auto& [left, right] = *request.intrinsics;
+  const auto loss = [&](const RelativePose& one) {
+    const Matrix3d f = fundamental_of({left, right, one});
+    double sum = 0;
+    for (const Match& match : good) sum += whole_power(sampson_distance(f, match), 2);
+    return sum;
+  };
+  const double count = double(good.size());
+  const double most = loss(pose) + 3 * std::sqrt(4 * count) * request.sigma * request.sigma;
+  for (const Matrix3d& member : family_of(good)) {
+    const RelativePose start = poses_of(nearest_essential(right.transpose() * member * left))[0];
+    const RelativePose other = refined_pose({left, right, start}, good);
+    constexpr double kSame = 0.1;  // of matrices of norm sqrt(2)
+    const Matrix3d e = essential<double>(pose.rotation, pose.translation);
+    const Matrix3d another = essential<double>(other.rotation, other.translation);
+    const bool is_other = std::min((e - another).norm(), (e + another).norm()) > kSame;
+    if (is_other && loss(other) <= most) return true;
   }
   return false;
 }
@@ -109,7 +187,15 @@ Result<PairAnalysis> analyse(const PairRequest& request) {
   const auto classification = classify_pair(good, intrinsics[0], intrinsics[1], request.sigma);
   if (!classification) return tl::unexpected(classification.error());
   analysis->classification = *classification;
-  if (is_decided(classification->kind, request)) {
+  if (classification->kind == PairKind::kCritical && analysis->pose &&
+      request.estimator == Estimator::kFivePoint && !has_rival(request, *analysis->pose, good)) {
+    analysis->classification.kind = PairKind::kGeneral;
+    analysis->is_only_essential = true;
+  }
+  const PairKind kind = analysis->classification.kind;
+  const bool is_decided_kind = is_decided(kind, request);
+  if (is_decided_kind && kind == PairKind::kPlane) use_plane(request, *analysis);
+  if (is_decided_kind) {
     if (analysis->why_no_model) return tl::unexpected(*analysis->why_no_model);
     add_residuals(request.matches, *analysis);
   } else {

@@ -8,6 +8,7 @@
 
 #include "views/two_view/estimate.h"
 #include "views/two_view/pair_kind.h"
+#include "views/two_view/plane_pose.h"
 
 namespace glassbox::views {
 
@@ -36,7 +37,13 @@ struct PairAnalysis {
   // present if intrinsics and five points determine it.
   std::optional<Matrix3d> fundamental;
   std::optional<RelativePose> pose;  // present only with intrinsics; |T| is 1
-  int in_front = 0;                  // inliers in front of both cameras
+  // For a plane, if intrinsics and five points determine the pose: the pose above is that of the
+  // first of its two solutions.
+  std::optional<PlaneAnalysis> plane;
+  int in_front = 0;  // inliers in front of both cameras
+  // Only for five points: the points seem to be on a critical surface, of which two F are possible,
+  // but with intrinsics only one E is.
+  bool is_only_essential = false;
   // The error of the estimation, if the random samples gave no model or no pose, and the
   // classification explains why.
   std::optional<Error> why_no_model;

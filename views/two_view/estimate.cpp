@@ -17,15 +17,6 @@ namespace {
 
 constexpr int kMaxRounds = 20;
 
-std::vector<bool> inliers_within(const Matrix3d& fundamental, const Matches& pixels,
-                                 double threshold) {
-  std::vector<bool> is_near;
-  for (const Match& match : pixels) {
-    is_near.push_back(std::abs(sampson_distance(fundamental, match)) <= threshold);
-  }
-  return is_near;
-}
-
 int count(const std::vector<bool>& chosen) {
   return int(std::ranges::count(chosen, true));
 }
@@ -54,10 +45,23 @@ void refine_until_stable(const Matches& pixels, double threshold, const Refine& 
                          std::vector<bool>& is_inlier) {
   for (int round = 0; round < kMaxRounds && count(is_inlier) >= 8; ++round) {
     model = refine(model, inliers_of(pixels, is_inlier));
-    std::vector<bool> next = inliers_within(fundamental(model), pixels, threshold);
+    std::vector<bool> next = matches_near(fundamental(model), pixels, threshold);
     if (next == is_inlier) break;
     is_inlier = std::move(next);
   }
+}
+
+// The RANSAC model of an estimator, whose models are improved by the matches near them.
+RansacModel improving_model(Estimator estimator, bool is_calibrated) {
+  RansacModel model = ransac_model(estimator);
+  model.improve = [=](const Matrix3d& matrix, const Matches& matches, double threshold) {
+    if (!is_calibrated) return refined_fundamental(matrix, matches, threshold);
+    StereoRig rig;
+    rig.pose = poses_of(nearest_essential(matrix))[0];  // the other three have the same residuals
+    rig.pose = refined_pose(rig, matches, threshold);
+    return fundamental_of(rig);
+  };
+  return model;
 }
 
 }  // namespace
@@ -121,14 +125,24 @@ Matches calibrated(const Matches& pixels, const Matrix3d& left_intrinsic,
   return result;
 }
 
+std::vector<bool> matches_near(const Matrix3d& fundamental, const Matches& pixels,
+                               double threshold) {
+  std::vector<bool> is_near;
+  for (const Match& match : pixels) {
+    is_near.push_back(std::abs(sampson_distance(fundamental, match)) <= threshold);
+  }
+  return is_near;
+}
+
 Result<FundamentalEstimate> estimate_fundamental(const Matches& pixels, Estimator estimator,
                                                  const RansacOptions& options) {
-  const auto found = ransac(pixels, ransac_model(estimator), options);
+  const auto found = ransac(pixels, improving_model(estimator, false), options);
   if (!found) return no_model(int(pixels.size()));
   FundamentalEstimate estimate{found->model, found->is_inlier, 0, found->samples};
   refine_until_stable(
-      pixels, options.threshold, refined_fundamental, [](const Matrix3d& f) { return f; },
-      estimate.fundamental, estimate.is_inlier);
+      pixels, options.threshold,
+      [](const Matrix3d& f, const Matches& good) { return refined_fundamental(f, good); },
+      [](const Matrix3d& f) { return f; }, estimate.fundamental, estimate.is_inlier);
   estimate.inliers = count(estimate.is_inlier);
   if (estimate.inliers < 8) return few_inliers(estimate.inliers, options.threshold);
   return estimate;
@@ -140,7 +154,7 @@ Result<PoseEstimate> estimate_pose(const Matches& pixels, const Matrix3d& left_i
   const Matches matches = calibrated(pixels, left_intrinsic, right_intrinsic);
   RansacOptions there = options;
   there.threshold /= std::min(left_intrinsic(1, 1), right_intrinsic(1, 1));
-  const auto found = ransac(matches, ransac_model(estimator), there);
+  const auto found = ransac(matches, improving_model(estimator, true), there);
   if (!found) return no_model(int(pixels.size()));
   const auto chosen =
       pose_in_front(nearest_essential(found->model), inliers_of(matches, found->is_inlier));

@@ -44,6 +44,10 @@ Result<PoseEstimate> estimate_pose(const Matches& pixels, const Matrix3d& left_i
                                    const Matrix3d& right_intrinsic, Estimator estimator,
                                    const RansacOptions& options);
 
+// Which matches have a Sampson distance of at most `threshold`.
+std::vector<bool> matches_near(const Matrix3d& fundamental, const Matches& pixels,
+                               double threshold);
+
 // The matches as points on the plane at distance 1 in front of each camera.
 Matches calibrated(const Matches& pixels, const Matrix3d& left_intrinsic,
                    const Matrix3d& right_intrinsic);

@@ -10,6 +10,7 @@
 
 #include "views/two_view/homography.h"
 #include "views/two_view/linear_fit.h"
+#include "views/two_view/ransac.h"
 #include "views/two_view/refinement.h"
 #include "views/two_view/residual.h"
 #include "views/two_view/triangulation.h"
@@ -32,7 +33,8 @@ double criterion(const Matches& matches, double sigma, ModelSize size, const Squ
   const double count = double(matches.size());
   double sum = logarithm(4.0) * size.dimensions * count + logarithm(4 * count) * size.parameters;
   for (const Match& match : matches) {
-    sum += std::min(square_of(match) / (sigma * sigma), 2.0 * (4 - size.dimensions));
+    const double most = 2.0 * (4 - size.dimensions);
+    sum += std::min(most, square_of(match) / (sigma * sigma));  // a NaN counts as `most`
   }
   return sum;
 }
@@ -52,14 +54,11 @@ Matrix3d fit_rotation(const Matches& pixels, const Matrix3d& left_intrinsic,
   return u * signs.asDiagonal() * v.transpose();
 }
 
-// GRIC of a homography. To first order, the squared distance by which both points of a match have
-// to be moved is half of the squared transfer error.
+// GRIC of a homography.
 double cost_of_transfer(const Matches& pixels, const Matrix3d& homography, double sigma,
                         ModelSize size) {
-  const Matrix3d inverse = homography.inverse();
   return criterion(pixels, sigma, size, [&](const Match& match) {
-    const double distance = transfer_distance(homography, inverse, match);
-    return distance * distance / 2;
+    return transfer_residual(homography, match).squaredNorm();
   });
 }
 
@@ -83,10 +82,12 @@ Result<PairClassification> classify_pair(const Matches& pixels, const Matrix3d& 
                                          const Matrix3d& right_intrinsic, double sigma) {
   const auto fit = fit_fundamental(pixels, Conditioning::kNormalised);
   if (!fit) return tl::unexpected(fit.error());
-  const auto homography = fit_homography(pixels);
+  auto homography = estimate_homography(pixels, 3 * sigma);
   if (!homography) return tl::unexpected(homography.error());
   const Matrix3d f = refined_fundamental(fit->matrix, pixels);
-  const Matrix3d rotation = fit_rotation(pixels, left_intrinsic, right_intrinsic);
+  // If the camera only turned, the matches that agree with one homography are all but outliers.
+  const Matrix3d rotation =
+      fit_rotation(inliers_of(pixels, homography->is_inlier), left_intrinsic, right_intrinsic);
 
   PairClassification classification;
   classification.cost_of_fundamental =
@@ -94,7 +95,9 @@ Result<PairClassification> classify_pair(const Matches& pixels, const Matrix3d& 
         const double distance = sampson_distance(f, match);
         return distance * distance;
       });
-  classification.cost_of_homography = cost_of_transfer(pixels, *homography, sigma, kHomography);
+  classification.cost_of_homography =
+      cost_of_transfer(pixels, homography->homography, sigma, kHomography);
+  classification.homography = std::move(*homography);
   classification.cost_of_rotation = cost_of_transfer(
       pixels, right_intrinsic * rotation * left_intrinsic.inverse(), sigma, kRotation);
   const auto& values = fit->system.singular_values;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "views/two_view/camera.h"
+#include "views/two_view/homography.h"
 #include "views/two_view/match.h"
 
 namespace glassbox::views {
@@ -28,10 +29,12 @@ struct PairClassification {
   // For the linear system of the eight-point algorithm with normalised points: the eighth singular
   // value divided by the ninth. If the ratio is small, a second matrix fits as well as the first.
   double eighth_over_ninth = 0;
+  // The homography that most of the matches agree with, within three times their error.
+  HomographyEstimate homography;
 };
 
-// Classifies a list of inliers, in pixels. Each coordinate has an error of `sigma` pixels; at least
-// 8 matches are needed.
+// Classifies a list of matches that agree with a fundamental matrix, in pixels. Some may agree by
+// chance. Each coordinate has an error of `sigma` pixels; at least 8 matches are needed.
 Result<PairClassification> classify_pair(const Matches& pixels, const Matrix3d& left_intrinsic,
                                          const Matrix3d& right_intrinsic, double sigma);
 

@@ -40,6 +40,79 @@ Score score_of(const Matches& matches, const RansacModel& model, const Eigen::Ma
   return score;
 }
 
+Matches sample_of(const Matches& matches, Random& random, int size) {
+  Matches sample;
+  for (const std::size_t i : drawn(random, matches.size(), size)) sample.push_back(matches[i]);
+  return sample;
+}
+
+// At most some thousand of the matches, evenly chosen.
+Matches thinned(const Matches& matches) {
+  constexpr std::size_t kEnough = 1000;
+  const std::size_t step = 1 + matches.size() / kEnough;
+  Matches chosen;
+  for (std::size_t i = 0; i < matches.size(); i += step) chosen.push_back(matches[i]);
+  return chosen;
+}
+
+// A search for the model with the least loss among all matches.
+class Search {
+public:
+  Search(const Matches& matches, const RansacModel& model, double threshold)
+      : all_(matches), some_(thinned(matches)), model_(model), threshold_(threshold) {}
+
+  const Eigen::Matrix3d& best() const { return best_; }
+  const Score& best_score() const { return best_score_; }
+
+  // The score of a matrix; infinite if its loss is not below this one.
+  Score score(const Eigen::Matrix3d& matrix, double below) const {
+    return score_of(all_, model_, matrix, threshold_, below);
+  }
+
+  void keep_better(const Eigen::Matrix3d& matrix) {
+    const Score found = score(matrix, best_score_.loss);
+    if (found.loss >= best_score_.loss) return;
+    best_ = matrix;
+    best_score_ = found;
+  }
+
+  // Keeps a matrix, or the one near it that suits all matches best.
+  void keep_better_near(const Eigen::Matrix3d& matrix) {
+    keep_better(matrix);
+    if (model_.improve) keep_better(model_.improve(matrix, some_, threshold_));
+  }
+
+  std::vector<bool> inliers() const {
+    std::vector<bool> is_inlier;
+    for (const Match& match : all_) {
+      is_inlier.push_back(std::abs(model_.residual(best_, match)) <= threshold_);
+    }
+    return is_inlier;
+  }
+
+  void go_on_from_best(Random& random);
+
+private:
+  const Matches& all_;
+  Matches some_;
+  const RansacModel& model_;
+  double threshold_;
+  Eigen::Matrix3d best_ = Eigen::Matrix3d::Zero();
+  Score best_score_;
+};
+
+// A sample of 14 inliers has a model that is near the best one, but the noise moves it along the
+// directions in which the matches determine it least. There the other local minima are.
+void Search::go_on_from_best(Random& random) {
+  constexpr int kSamples = 20, kSize = 14;
+  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kSamples; ++i) {
+    const Matches good = inliers_of(all_, inliers());
+    if (int(good.size()) <= kSize) return;
+    keep_better_near(model_.improve(best_, sample_of(good, random, kSize), kUnlimited));
+  }
+}
+
 }  // namespace
 
 double samples_needed(double inlier_share, int size, double confidence) {
@@ -53,29 +126,27 @@ std::optional<RansacResult> ransac(const Matches& matches, const RansacModel& mo
                                    const RansacOptions& options) {
   if (int(matches.size()) < model.sample_size) return {};
   Random random(options.seed);
-  RansacResult best;
-  Score best_score;
+  Search search(matches, model, options.threshold);
+  RansacResult result;
+  double best_loss_of_samples = std::numeric_limits<double>::infinity();  // before `improve`
   double needed = options.most_samples;
-  for (; best.samples < std::min(needed, double(options.most_samples)); ++best.samples) {
-    Matches sample;
-    for (const std::size_t i : drawn(random, matches.size(), model.sample_size)) {
-      sample.push_back(matches[i]);
-    }
-    for (const Eigen::Matrix3d& matrix : model.fit(sample)) {
-      const Score score = score_of(matches, model, matrix, options.threshold, best_score.loss);
-      if (score.loss >= best_score.loss) continue;
-      best_score = score;
-      best.model = matrix;
-      needed = samples_needed(double(score.inliers) / double(matches.size()), model.sample_size,
-                              options.confidence);
+  for (; result.samples < needed; ++result.samples) {
+    for (const Eigen::Matrix3d& matrix : model.fit(sample_of(matches, random, model.sample_size))) {
+      const Score score = search.score(matrix, best_loss_of_samples);
+      if (score.loss >= best_loss_of_samples) continue;
+      best_loss_of_samples = score.loss;
+      search.keep_better_near(matrix);
+      const double share = double(search.best_score().inliers) / double(matches.size());
+      needed = std::min(samples_needed(share, model.sample_size, options.confidence),
+                        double(options.most_samples));
     }
   }
-  if (std::isinf(best_score.loss)) return {};
-  for (const Match& match : matches) {
-    best.is_inlier.push_back(std::abs(model.residual(best.model, match)) <= options.threshold);
-  }
-  best.inliers = best_score.inliers;
-  return best;
+  if (std::isinf(search.best_score().loss)) return {};
+  if (model.improve) search.go_on_from_best(random);
+  result.model = search.best();
+  result.is_inlier = search.inliers();
+  result.inliers = search.best_score().inliers;
+  return result;
 }
 
 Matches inliers_of(const Matches& matches, const std::vector<bool>& is_inlier) {

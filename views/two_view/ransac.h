@@ -32,6 +32,11 @@ struct RansacModel {
   // All models that fit a sample; none for a degenerate one.
   std::function<std::vector<Eigen::Matrix3d>(const Matches& sample)> fit;
   std::function<double(const Eigen::Matrix3d& model, const Match& match)> residual;
+  // Returns the best model near `model` for these matches, of which those with a residual far above
+  // the threshold have no influence. Empty: models stay as they are fitted to the samples.
+  std::function<Eigen::Matrix3d(const Eigen::Matrix3d& model, const Matches& matches,
+                                double threshold)>
+      improve = {};
 };
 
 struct RansacResult {
@@ -45,6 +50,11 @@ struct RansacResult {
 // threshold (Torr and Zisserman, MLESAC, CVIU 78, 2000). The same seed gives the same samples on
 // every machine. No result if no sample has a model, or if there are fewer matches than a sample
 // needs.
+//
+// If the model has `improve`, each sample that is better than all samples before it is improved
+// with all matches (with some thousand of them if there are more). The sum has many local minima, so the search goes on from the best one: models
+// of larger samples of its inliers are improved, too (Chum, Matas, Kittler, Locally Optimized
+// RANSAC, DAGM 2003).
 std::optional<RansacResult> ransac(const Matches& matches, const RansacModel& model,
                                    const RansacOptions& options);
 

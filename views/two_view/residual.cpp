@@ -34,13 +34,19 @@ double epipolar_distance(const Eigen::Matrix3d& matrix, const Match& match) {
   return (value / lines.in_left.head<2>().norm() + value / lines.in_right.head<2>().norm()) / 2;
 }
 
-double transfer_distance(const Eigen::Matrix3d& homography, const Eigen::Matrix3d& inverse,
-                         const Match& match) {
-  const Eigen::Vector3d to_right = homography * match.left.homogeneous();
-  const Eigen::Vector3d to_left = inverse * match.right.homogeneous();
-  return hypotenuse((to_right.hnormalized() - match.right).norm(),
-                    (to_left.hnormalized() - match.left).norm()) /
-         std::sqrt(2.0);
+// The error e = p_r - H p_l has the covariance C = I + A A^T if the four coordinates have
+// independent errors of variance 1, where A is the derivative of H p_l with respect to p_l. With
+// Cholesky's factor L of C, L^-1 e has the covariance I.
+Eigen::Vector2d transfer_residual(const Eigen::Matrix3d& homography, const Match& match) {
+  const Eigen::Vector3d moved = homography * match.left.homogeneous();
+  const Eigen::Vector2d at = moved.hnormalized(), error = match.right - at;
+  const Eigen::Matrix2d slope =
+      (homography.topLeftCorner<2, 2>() - at * homography.row(2).head<2>()) / moved.z();
+  const Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity() + slope * slope.transpose();
+  const double first = std::sqrt(covariance(0, 0)), below = covariance(1, 0) / first;
+  const double second = std::sqrt(covariance(1, 1) - below * below);
+  const double x = error.x() / first;
+  return {x, (error.y() - below * x) / second};
 }
 
 }  // namespace glassbox::views

@@ -16,9 +16,9 @@ double sampson_distance(const Eigen::Matrix3d& matrix, const Match& match);
 // two distances.
 double epipolar_distance(const Eigen::Matrix3d& matrix, const Match& match);
 
-// The transfer errors |H p_l - p_r| and |H^-1 p_r - p_l| of a homography H, combined: the square
-// root of half the sum of their squares. `inverse` is H^-1.
-double transfer_distance(const Eigen::Matrix3d& homography, const Eigen::Matrix3d& inverse,
-                         const Match& match);
+// How far p_r is from H p_l for a homography H, in a frame in which errors of all four coordinates
+// count alike. Its length is Sampson's distance for the two equations of a homography: to first
+// order, how far both points of a match together have to be moved so that p_r = H p_l.
+Eigen::Vector2d transfer_residual(const Eigen::Matrix3d& homography, const Match& match);
 
 }  // namespace glassbox::views

@@ -258,6 +258,76 @@ TEST_CASE(
   CHECK(five["truth"]["rotation_error_degrees"] < 0.01);
 }
 
+TEST_CASE("the right camera from a plane, at every seed, with the model and the reason (C-102)") {
+  const WorkingDirectory here;
+  const std::string plane =
+      "--scene checker --size 320x240 --eye 0,2,4 --look-at 0,0,-2 --move 0.5,0.1,0.2 --turn "
+      "-5,2,1 --noise ";
+  struct Noise {
+    std::string px;
+    double rotation, direction;  // the largest errors, degrees
+  };
+  for (const auto& [px, rotation, direction] :
+       {Noise{"0", 1e-4, 1e-3}, Noise{"0.3", 0.5, 2}, Noise{"0.3 --outliers 0.4", 0.5, 2}}) {
+    for (int seed = 1; seed <= 10; ++seed) {
+      const Json json = geometry_of(here, plane + px + " --seed " + std::to_string(seed));
+      INFO(px << ", seed " << seed);
+      CHECK(json["pair_is"]["kind"] == "a plane");
+      CHECK(json["model"]["name"] == "plane");
+      CHECK(json["plane"]["decided_by"] == "points in front of both cameras");
+      CHECK(json["second_pose"].is_null());
+      CHECK(json["truth"]["rotation_error_degrees"] < rotation);
+      CHECK(json["truth"]["direction_error_degrees"] < direction);
+      const Json& solutions = json["plane"]["solutions"];
+      REQUIRE(solutions.size() == 2);
+      CHECK(solutions[0]["behind"] == 0);
+      CHECK(solutions[1]["behind"] > 25);
+      // The camera is 2 above the plane, and |T| is the square root of 0.3.
+      CHECK(std::abs(solutions[0]["distance"].get<double>() - 2 / std::sqrt(0.3)) < 0.1);
+    }
+  }
+  const std::string text = unwrapped(here.run("views geometry " + plane + "0.3").out);
+  CHECK(contains(text, "of 500 matches agree with one homography"));
+  CHECK(contains(text, "points are in front of both cameras in the chosen one, and"));
+  const Json general = geometry_of(here, kNoisy);
+  CHECK(general["model"]["name"] == "general");
+  CHECK(general["plane"].is_null());
+}
+
+TEST_CASE("a camera that moves towards a wall has two possible poses, and both are reported") {
+  const WorkingDirectory here;
+  const std::string wall =
+      "--scene checker --size 320x240 --eye 0.2,5,0.3 --look-at 0,0,-2 --move 0.05,0,1.5 --turn "
+      "3,2,1 --noise 0.1 ";
+  const Json json = geometry_of(here, wall + "--draw page.html");
+  CHECK(json["model"]["name"] == "plane");
+  CHECK(json["plane"]["decided_by"] == "nothing");
+  REQUIRE(json["second_pose"].is_object());
+  CHECK(has_omission(json, "which of two poses is right"));
+  // One of them is right.
+  const double first = json["truth"]["direction_error_degrees"];
+  const double second = json["truth"]["second_pose"]["direction_error_degrees"];
+  CHECK(std::min(first, second) < 2);
+  CHECK(manifest_of(here.read("page.html"))["second_pose"] == json["second_pose"]);
+  const std::string text = here.run("views geometry " + wall).out;
+  for (const char* words : {"second R", "second T", "of the second pose"}) {
+    CHECK(contains(text, words));
+  }
+  CHECK(contains(unwrapped(text), "nothing decides between them"));
+}
+
+TEST_CASE("far points with noise do not count as a critical surface if K is known (C-103)") {
+  const WorkingDirectory here;
+  for (int seed = 1; seed <= 5; ++seed) {
+    const Json json = geometry_of(
+        here,
+        "--scene teapot --size 640x480 --move 0.5,0.1,0.2 --turn -10,3,5 --noise 0.5 --seed " +
+            std::to_string(seed));
+    CHECK(json["pair_is"]["kind"] == "general");
+    CHECK(json["truth"]["rotation_error_degrees"] < 1);
+  }
+}
+
 TEST_CASE("points on a ruled quadric through both centres are named (C-103)") {
   // The surface x^2 - x + y Z = 0 contains both camera centres, (0, 0, 0) and (1, 0, 0), but not
   // the line between them.

@@ -27,6 +27,8 @@ function foundTerms() {
     ["samples", samples ? `${samples} of ${estimator}; ${law}` : "none determines a model"],
     ["equations", `rank ${system.rank} (8 determine F, 9 is due to noise); condition ${shortNumber(system.condition_raw)} raw, ${shortNumber(system.condition_normalised)} with normalised points`],
     ["costs (GRIC)", `constraint ${shortNumber(kind.cost_of_constraint)}, homography ${shortNumber(kind.cost_of_homography)}, rotation ${shortNumber(kind.cost_of_rotation)}`],
+    ["model", manifest.model && `${manifest.model.name}: ${manifest.model.why}`],
+    ["two poses", manifest.model?.poses],
     ["truth", typeof truth?.rotation_error_degrees === "number" && `rotation off by ${shortNumber(truth.rotation_error_degrees)}°` + (truth.direction_error_degrees === null ? "" : `, direction of T by ${shortNumber(truth.direction_error_degrees)}°`)],
   ]);
 }
@@ -45,7 +47,7 @@ function matrixText(rows, digits) {
 }
 
 function matrices() {
-  const {F, E, E_of_shift: other, pose} = manifest, all = [];
+  const {F, E, E_of_shift: other, pose, second_pose: second} = manifest, all = [];
   const add = (name, text) => all.push(element("div", {}, element("h3", {}, name), element("pre", {}, text)));
   if (F) add("F, between pixels: p_rᵀ F p_l = 0", matrixText(F));
   if (E) add("E = R S, P_r = R (P_l − T)", matrixText(E, 6));
@@ -53,6 +55,10 @@ function matrices() {
   if (pose) {
     add("R", matrixText(pose.R, 6));
     add("T, of length 1: the right camera, seen from the left one", matrixText([pose.T], 6));
+  }
+  if (second) {
+    add("R of the second pose, which is possible too", matrixText(second.R, 6));
+    add("T of the second pose", matrixText([second.T], 6));
   }
   return all.length ? all : [element("p", {}, "Not determined: see what is left out.")];
 }
