@@ -145,7 +145,7 @@ std::vector<Matrix3d> family_of(const Matches& pixels) {
 // Whether another pose fulfils the constraint of these matches about as well as this one: the sum
 // of n squared residuals with the error sigma has the standard deviation sqrt(2 n) sigma^2.
 bool has_rival(const PairRequest& request, const RelativePose& pose, const Matches& good) {
-  const auto& [left, right] = *request.intrinsics;
+  const Matrix3d &left = (*request.intrinsics)[0], &right = (*request.intrinsics)[1];
   const auto loss = [&](const RelativePose& one) {
     const Matrix3d f = fundamental_of({left, right, one});
     double sum = 0;
