@@ -60,16 +60,12 @@ struct Estimated {
   double rotation, direction;  // errors in degrees
 };
 
-struct PoseErrors {
-  double rotation, direction;  // errors in degrees
-};
-
-std::optional<PoseErrors> pose_errors(const StereoRig& rig, const Matches& pixels,
-                                      Estimator estimator, const RansacOptions& options) {
+std::optional<Estimated> pose_errors(const StereoRig& rig, const Matches& pixels,
+                                     Estimator estimator, const RansacOptions& options) {
   const auto found =
       estimate_pose(pixels, rig.left_intrinsic, rig.right_intrinsic, estimator, options);
   if (!found) return {};
-  return PoseErrors{
+  return Estimated{
       degrees_from_radians(rotation_error(found->pose.rotation, rig.pose.rotation)),
       degrees_from_radians(direction_error(found->pose.translation, rig.pose.translation))};
 }
