@@ -16,8 +16,8 @@ using Residuals = std::function<void(const Eigen::VectorXd& at, Eigen::VectorXd&
 // fewer residuals than unknowns.
 Eigen::VectorXd least_squares(int unknowns, int count, const Residuals& residuals);
 
-// The covariance of the unknowns at 0 if each residual has an error of variance 1: (J^T J)^-1, where
-// J has the derivatives of the residuals. Infinite if they do not determine all unknowns.
+// The covariance of the unknowns at 0 if each residual has an error of variance 1: (J^T J)^-1,
+// where J has the derivatives of the residuals. Infinite if they do not determine all unknowns.
 Eigen::MatrixXd covariance_at_zero(int unknowns, int count, const Residuals& residuals);
 
 }  // namespace glassbox::views

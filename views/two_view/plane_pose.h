@@ -1,5 +1,5 @@
-// Two cameras that see a plane (C-102). A plane is given by a vector m: its points P have m . P = 1,
-// in the left camera's space. So m is the plane's normal divided by the distance of the plane.
+// Two cameras that see a plane (C-102). A plane is given by a vector m: its points P have m . P =
+// 1, in the left camera's space. So m is the plane's normal divided by the distance of the plane.
 #pragma once
 
 #include <array>

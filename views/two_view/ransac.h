@@ -52,9 +52,9 @@ struct RansacResult {
 // needs.
 //
 // If the model has `improve`, each sample that is better than all samples before it is improved
-// with all matches (with some thousand of them if there are more). The sum has many local minima, so the search goes on from the best one: models
-// of larger samples of its inliers are improved, too (Chum, Matas, Kittler, Locally Optimized
-// RANSAC, DAGM 2003).
+// with all matches (with some thousand of them if there are more). The sum has many local minima,
+// so the search goes on from the best one: models of larger samples of its inliers are improved,
+// too (Chum, Matas, Kittler, Locally Optimized RANSAC, DAGM 2003).
 std::optional<RansacResult> ransac(const Matches& matches, const RansacModel& model,
                                    const RansacOptions& options);
 
