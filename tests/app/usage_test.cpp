@@ -120,9 +120,13 @@ TEST_CASE("the version has a short option, -V") {
   CHECK(contains(brief.out, "glassbox "));
 }
 
-TEST_CASE("docs/command_line.md shows what the program says") {
+TEST_CASE("docs/command_line.md shows what the program says of commands that are not right") {
   std::ifstream page(std::string(GLASSBOX_SOURCE_DIR) + "/docs/command_line.md");
-  const auto sessions = sessions_of(page);
+  auto sessions = sessions_of(page);
+  // tests/docs/pages_test.cpp runs the page's table of a mesh.
+  std::erase_if(sessions, [](const Session& session) {
+    return session.command.starts_with("glassbox info ");
+  });
   REQUIRE(sessions.size() == 4);
   for (const Session& session : sessions) {
     INFO(session.command);

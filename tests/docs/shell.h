@@ -66,7 +66,7 @@ public:
     fs::create_directories(root());
     fs::create_symlink(GLASSBOX_PROGRAM, top / "bin/glassbox");
     fs::create_symlink(GLASSBOX_PROGRAM, fs::path(root()) / "glassbox");
-    for (const char* folder : {"examples", "images/golden", "labs/01-meshes"}) {
+    for (const char* folder : {"examples", "images/golden"}) {
       fs::create_directories(fs::path(root()) / folder);
       fs::copy(tree() / folder, fs::path(root()) / folder, fs::copy_options::recursive);
     }
