@@ -56,7 +56,10 @@ TEST_CASE("corners of two drawn pictures give their cameras, with every detector
     INFO(words);
     const Json json = found_in(here, "a.png b.png --cameras c.txt " + words);
     CHECK(json["estimator"] == "5-point");
-    CHECK(json["pair_is"]["kind"] == "general");
+    // Half of the right matches are on one wall. Where few others are found, a plane costs less, and
+    // the points beside it decide between its two poses.
+    const Json& kind = json["pair_is"]["kind"];
+    CHECK((kind == "general" || kind == "a plane"));
     CHECK(json["found"]["corners_left"].get<int>() > 200);
     CHECK(json["matches"].size() > 50);
     CHECK(json["inliers"].get<int>() > 0.4 * double(json["matches"].size()));
