@@ -193,8 +193,8 @@ TEST_CASE("a few points beside the plane decide between two poses that are both 
     std::mt19937 random(seed);
     // A camera that moves towards a plane has two possible poses.
     FlatScene scene = random_flat_scene(random);
-    const double right = uniform(random, -0.15, 0.15);
     const double up = uniform(random, -0.15, 0.15);
+    const double right = uniform(random, -0.15, 0.15);
     scene.rig.pose.translation = Vector3d(right, up, 0.8);
     constexpr double kSigma = 0.2;
     Matches matches = flat_matches(random, scene, 270, kSigma);
