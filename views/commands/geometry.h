@@ -91,9 +91,10 @@ struct OutlierFacts {
 
 // The model that the cameras were computed with, and the reasons with their numbers, in sentences.
 struct ModelChoice {
-  std::string name;   // "plane" or "general"
-  std::string why;    // why this model
-  std::string poses;  // for a plane: which of its two poses was chosen, and why
+  std::string name;  // "plane" or "general"
+  std::string why;   // why this model
+  // If the matches of a plane were used: which of its two poses was chosen, and why.
+  std::string poses;
 };
 
 struct OmittedItem {

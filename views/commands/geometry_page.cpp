@@ -158,8 +158,9 @@ const char* name_of(PlaneEvidence evidence) {
     case PlaneEvidence::kInFront:
       return "points in front of both cameras";
     case PlaneEvidence::kOthers:
-    case PlaneEvidence::kSame:
       return "points beside the plane";
+    case PlaneEvidence::kSame:
+      return "refinement, which makes both the same";
     case PlaneEvidence::kNothing:
       break;
   }

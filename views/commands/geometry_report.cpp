@@ -130,6 +130,14 @@ std::string why_general(const GeometryReport& report) {
   return why;
 }
 
+std::string why_general_beside_plane(const GeometryReport& report) {
+  const auto& plane = *report.analysis.plane;
+  return fmt::format(
+      "{} of {} matches agree with one homography, but {} points beside its plane agree with the "
+      "cameras, too: more than by chance",
+      plane.on_plane, report.request.matches.size(), plane.solutions[0].others);
+}
+
 // How far the second pose of a plane is from the first.
 std::string difference_text(const PlaneAnalysis& plane) {
   const auto& [one, other] = plane.solutions;
@@ -155,7 +163,8 @@ std::string why_pose(const PlaneAnalysis& plane) {
           one.others, other.others, difference_text(plane));
     case PlaneEvidence::kSame:
       return fmt::format(
-          "two explain the homography, and refined by {} points beside the plane they are the same",
+          "two explain the homography, and refined, with {} points beside the plane, they are the "
+          "same",
           one.others);
     case PlaneEvidence::kNothing:
       break;
@@ -173,6 +182,10 @@ void add_model(GeometryReport& report) {
   const auto& plane = report.analysis.plane;
   if (!plane) {
     report.model = {"general", why_general(report), ""};
+    return;
+  }
+  if (plane->evidence == PlaneEvidence::kOthers) {
+    report.model = {"general", why_general_beside_plane(report), why_pose(*plane)};
     return;
   }
   report.model = {"plane", why_plane(report), why_pose(*plane)};

@@ -121,6 +121,10 @@ void use_plane(const PairRequest& request, PairAnalysis& analysis) {
   if (!analysis.plane) return;
   analysis.why_no_model.reset();
   use_pose(request, analysis.plane->solutions[0].found.pose, analysis);
+  // More points beside the plane agree with the pose than by chance: they are not outliers, as the
+  // criterion has taken them for.
+  if (analysis.plane->evidence == PlaneEvidence::kOthers)
+    analysis.classification.kind = PairKind::kGeneral;
 }
 
 // The matrices a F1 + b F2 that the equations of the eight-point algorithm leave for a critical

@@ -84,6 +84,12 @@ Split split(const Matches& matches, const std::vector<bool>& is_on_plane) {
   return result;
 }
 
+// The angle between the rays of two places in the left picture that are sigma apart, radians.
+double angle_of_noise(const PlaneRequest& request) {
+  const Matrix3d& intrinsic = request.left_intrinsic;
+  return request.sigma / std::min(intrinsic(0, 0), intrinsic(1, 1));
+}
+
 // Refines a solution by the matches of the plane, and by others if these are to count. All matches
 // beside the plane may be outliers.
 PlaneSolution solved(const PlaneRequest& request, const PlanePose& first, const Split& pixels,
@@ -97,8 +103,7 @@ PlaneSolution solved(const PlaneRequest& request, const PlanePose& first, const 
   const Matrix3d fundamental = fundamental_of(rig);
   // The inverse depth of a point of the plane with the ray p is m . p. Its error is that of m and
   // that of p.
-  const double pixel = request.sigma / std::min(rig.left_intrinsic(0, 0), rig.left_intrinsic(1, 1));
-  const double of_ray = pixel * refined.plane.head<2>().norm();
+  const double of_ray = angle_of_noise(request) * refined.plane.head<2>().norm();
   double squares = 0;
   for (const Match& match : pixels.on_plane) {
     const Vector3d ray = ray_through(rig.left_intrinsic, match.left);
@@ -118,9 +123,13 @@ PlaneSolution solved(const PlaneRequest& request, const PlanePose& first, const 
   return solution;
 }
 
-bool is_same(const RelativePose& a, const RelativePose& b) {
+// Whether two refinements have ended at one pose. They stop a little before the same end, so a
+// difference is allowed that turns rays by a hundredth of the noise, or by rounding if this is
+// more. Two poses of a plane that are so near each other are one for every use.
+bool is_same(const RelativePose& a, const RelativePose& b, const PlaneRequest& request) {
   constexpr double kRounding = 1e-6;  // of a refinement, for a rotation and a vector of length 1
-  return (a.rotation - b.rotation).norm() + (a.translation - b.translation).norm() < kRounding;
+  const double most = std::max(kRounding, 0.01 * angle_of_noise(request));
+  return (a.rotation - b.rotation).norm() + (a.translation - b.translation).norm() < most;
 }
 
 // A few matches that are near the homography by chance must not rule a solution out.
@@ -148,7 +157,7 @@ std::optional<PlaneAnalysis> analyse_plane(const PlaneRequest& request, const Ma
   auto& [one, other] = analysis.solutions;
   one = solved(request, (*poses)[0], pixels, pixels.others);
   other = solved(request, (*poses)[1], pixels, pixels.others);
-  if (is_same(one.found.pose, other.found.pose)) {
+  if (is_same(one.found.pose, other.found.pose, request)) {
     analysis.evidence = PlaneEvidence::kSame;
   } else if (is_possible(one, pixels.on_plane.size()) !=
              is_possible(other, pixels.on_plane.size())) {

@@ -43,7 +43,7 @@ struct PlaneSolution {
 enum class PlaneEvidence {
   kInFront,  // the plane's points are in front of both cameras only in one of them
   kOthers,   // points beside the plane agree with one of them
-  kSame,     // refined by points beside the plane, both become the same pose
+  kSame,     // refined, both become the same pose
   // Both are possible. The one with more points in front of both cameras is put first, or, if these
   // are equally many, the one with the smaller residuals.
   kNothing,

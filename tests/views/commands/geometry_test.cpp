@@ -490,12 +490,8 @@ TEST_CASE("what has no geometry, and what contradicts itself, is refused in one 
            {"--scene room --pair-out a.png a.txt", "a.txt"},
            {"--scene room --matches-out x --json x", "two outputs"},
            {"--scene room --matches-out - --json -", "standard output"}}) {
-    const Outcome outcome = here.run("views geometry " + words);
-    INFO(words << ": " << outcome.err);
-    CHECK(outcome.exit_code == 2);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err.find(cause) != std::string::npos);
-    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+    INFO(words);
+    check_refused(here.run("views geometry " + words), {cause});
     CHECK(here.names() == before);
   }
 }
