@@ -1,6 +1,6 @@
-# A program for students installs only those headers of the library that the files of the labs include,
-# because others contain formulas that solve a task. The main program installs these headers alone
-# with `cmake --install BUILD --component student-headers`, as a test does.
+# A program for students installs only those headers of the library that the files of the labs
+# include, because others contain formulas that solve a task. The main program installs these headers
+# alone with `cmake --install BUILD --component student-headers`, as a test does.
 set(files "")
 foreach(part student.h student.cpp cases.h generators*.h runner.cpp stages.cpp timed.cpp)
   file(GLOB some CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/labs/[0-9][0-9]-*/${part})

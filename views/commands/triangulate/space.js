@@ -18,7 +18,8 @@ function measureSpace() {
   radius = Math.max(away[Math.floor(.9 * (away.length - 1))], ...centres.map((c) => Math.hypot(...minus(c, middle)))) || 1;
 }
 
-// The corners of a camera's picture at a distance from its centre, in the world: R^T K^-1 (x, y, 1).
+// The corners of a camera's picture at a distance from its centre, in the world: the directions are
+// R^T K^-1 (x, y, 1).
 function pictureCorners({K, R, centre}, away) {
   const [across, down] = [2 * K[0][2], 2 * K[1][2]];
   return [[0, 0], [across, 0], [across, down], [0, down]].map(([x, y]) => {
